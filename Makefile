@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-practice evaluate-places evaluate-relations evaluate-bits evaluate-planners evaluate-foreign evaluate-scale evaluate-studio faults tutorial architecture docs clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-bits evaluate-planners evaluate-foreign evaluate-scale evaluate-studio faults tutorial architecture docs clean
 
 install: $(VENV)/.installed
 
@@ -70,10 +70,6 @@ evaluate-planning: install
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]'
 	$(BIN)/python -m tools.benchmarks.planning.evaluate --seeds $(SEEDS) --steps $(STEPS) --strategies $(STRATEGIES)
 
-# Whether practice helps, beside rehearsing evenly, into docs/results/practice.*; goes on where it was interrupted.
-evaluate-practice: install
-	$(BIN)/python -m tools.benchmarks.planning.practice
-
 # How well objects are carried to places, over seeds, into docs/results/places.*; goes on where it was interrupted.
 evaluate-places: install
 	$(BIN)/python -m tools.benchmarks.carrying.evaluate
@@ -127,7 +123,7 @@ evaluate-planners: install
 evaluate-foreign: install
 	rm -rf build/foreign && mkdir -p build && cp -r domains build/foreign
 	set -e; for domain in build/foreign/*/; do $(BIN)/neurosym compile-domain --quiet $$domain --plain; done
-	$(BIN)/python -m tools.benchmarks.foreign --domains build/foreign --features
+	$(BIN)/python -m tools.benchmarks.foreign --domains build/foreign
 
 clean:
 	rm -rf $(VENV) demo

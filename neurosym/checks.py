@@ -9,43 +9,30 @@ import threading
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar, get_type_hints
+from typing import TYPE_CHECKING, Any, get_type_hints
 
 import msgspec
 import numpy as np
 
 from neurosym.errors import InvalidValue
 
-# Refusing what cannot be, where it enters: a check raises `InvalidValue`, which says what would be valid
-
-Kind = TypeVar("Kind")
 decoding = threading.local()
 """Whether this thread reads a JSON document `now`, all of whose fields fit their types and are finite."""
 
 
 def check_kind(name: str, value: object, kind: Any, valid: str) -> None:
-    """Raise `InvalidValue` unless a value is of a kind.
-
-    Args:
-        name: What messages call it.
-        value: The value.
-        kind: The kind, or several.
-        valid: What would be valid, in words.
-    """
+    """Raise `InvalidValue`, with its name and what is valid, unless a value is of a kind, or of several."""
     if not isinstance(value, kind):
-        raise _of_another(name, value, valid)
+        given = f"{name} = {reprlib.repr(value)} is of type {type(value).__name__}"
+        raise InvalidValue(f"{given}; valid: {valid}.")
 
 
-def check_all(name: str, values: object, kind: type[Kind], valid: str) -> None:
+def check_all(name: str, values: object, kind: type, valid: str) -> None:
     """Raise `InvalidValue` unless something is a sequence of values of a kind; see `check_kind`."""
     if isinstance(values, str | bytes) or not isinstance(values, Iterable) or not hasattr(values, "__len__"):
-        raise _of_another(name, values, valid)
-    for value in values:
+        check_kind(name, values, (), valid)
+    for value in values:  # type: ignore[attr-defined]  # checked just now
         check_kind(f"one of {name}", value, kind, valid)
-
-
-def _of_another(name: str, value: object, valid: str) -> InvalidValue:
-    return InvalidValue(f"{name} = {reprlib.repr(value)} is of type {type(value).__name__}; valid: {valid}.")
 
 
 def check_callable(name: str, value: object, valid: str) -> None:
@@ -86,7 +73,7 @@ def check_array(name: str, array: object, shape: tuple[int | None, ...], kinds: 
         name: What messages call it.
         array: The array.
         shape: Its size along each axis; None for any.
-        kinds: The kinds of number that it may hold, as in `dtype.kind`; by default floats and integers.
+        kinds: The kinds of number that it may hold, as in `dtype.kind`.
     """
     told = f"({', '.join('any' if size is None else str(size) for size in shape)}{',' * (len(shape) == 1)})"
     if not isinstance(array, np.ndarray):
@@ -114,9 +101,6 @@ def check_fields(document: msgspec.Struct) -> None:
     """Raise `InvalidValue` unless each field of a document fits its type, and all numbers are finite.
 
     What is being decoded from JSON is checked by what decodes it: in JSON all numbers are finite.
-
-    Args:
-        document: The document; others in it have been checked when they were made.
     """
     if getattr(decoding, "now", False):
         return
@@ -126,13 +110,10 @@ def check_fields(document: msgspec.Struct) -> None:
         if value is msgspec.UNSET:
             continue
         try:
-            msgspec.convert(value, hint)
-        except msgspec.ValidationError:
-            try:
-                msgspec.convert(_plain(value), hint)
-            except msgspec.ValidationError as error:
-                said = str(error).rstrip(".")
-                raise InvalidValue(f"{kind.__name__}.{name} = {reprlib.repr(value)}: {said}.") from error
+            msgspec.convert(_plain(value), hint)
+        except msgspec.ValidationError as error:
+            said = str(error).rstrip(".")
+            raise InvalidValue(f"{kind.__name__}.{name} = {reprlib.repr(value)}: {said}.") from error
         if not _is_finite(value):
             raise InvalidValue(f"{kind.__name__}.{name} = {reprlib.repr(value)} must be finite.")
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.choices import told
-from neurosym.errors import InvalidValue, InvalidWorld, NeurosymError
+from neurosym.errors import InvalidValue, InvalidWorld, NeurosymError, counted
 from neurosym.problems import LEGAL_NAME
 from neurosym.world import (
     REQUIRED,
@@ -37,13 +37,9 @@ from neurosym.world import (
 
 Result = TypeVar("Result")
 
-OPTIONAL = ("picture", "open_window")
-"""Methods that a world may have besides."""
-
-
+OPTIONAL = ("picture", "open_window")  # methods that a world may have besides
 _ENDINGS: tuple[str, ...] = get_args(Disturbance)
 _KINDS_OF_REFERENCE: tuple[str, ...] = get_args(ReferenceKind)
-_RETURNED = "what it returns"
 
 
 def attempt(
@@ -73,19 +69,16 @@ def attempt(
 class Guarded:
     """A world whose every answer is checked.
 
-    What it returns are plain values of ours, with the same numbers, that another process can read.
-
-    Args:
-        world: A world.
-        name: What messages call it, if not by its own name.
+    What it returns are plain values of ours, with the same numbers, that another process can read. Messages
+    call it by the name that is given, or its own.
 
     Raises:
         InvalidWorld: If it is no world; from its methods, if a call fails or gives what cannot be.
     """
 
     def __init__(self, world: Any, name: str | None = None):
-        called = name or type(world).__name__
-        _refuse(called, "its attributes", _attribute_problems(world))
+        self._called = name or type(world).__name__
+        self._refuse("its attributes", _attribute_problems(world))
         self._world, self._called = world, name or world.name
         self.name, self.lift_height = str(world.name), world.lift_height
         self.feature_names = tuple(map(str, world.feature_names))
@@ -102,7 +95,7 @@ class Guarded:
     def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
         """Draw a scene; see `World.sample_scene`."""
         scene = self._attempt("sample_scene", lambda: self._world.sample_scene(rng, objects))
-        _refuse(self._called, _RETURNED, _drawn_problems(self, scene, objects))
+        self._refuse("what it returns", _drawn_problems(self, scene, objects))
         return _plain_scene(scene)
 
     def interact(
@@ -135,8 +128,7 @@ class Guarded:
         if bytes_of(scene) != before:
             problem = "changes the scene that interact is given; it must return new ones"
             raise InvalidWorld(self._called, problem)
-        problems = _outcome_problems(self, scene, target, outcome, reference)
-        _refuse(self._called, _RETURNED, problems)
+        self._refuse("what it returns", _outcome_problems(self, scene, target, outcome, reference))
         return _plain_outcome(outcome)
 
     def __getattr__(self, name: str) -> Any:
@@ -164,24 +156,20 @@ class Guarded:
     def _attempt(self, what: str, call: Callable[[], Any]) -> Any:
         return attempt(self._called, what, call, NeurosymError)
 
+    def _refuse(self, what: str, problems: Iterator[str]) -> None:
+        """Raise the first problem of the world: each look at it relies on those before."""
+        if problem := attempt(self._called, what, lambda: next(problems, None)):
+            raise InvalidWorld(self._called, problem)
+
 
 def guarded(world: object) -> World:
-    """Return a world such that it tells what it does wrong; one of ours is returned as it is.
-
-    Args:
-        world: The world.
-
-    Raises:
-        InvalidWorld: If it is none.
-    """
-    return world if _is_ours(world) and is_world(world) else Guarded(world)
+    """Return a world such that it tells what it does wrong, ours as it is; `InvalidWorld` if it is none."""
+    is_ours = not isinstance(world, type) and type(world).__module__.split(".")[0] == "neurosym"
+    return world if is_ours and is_world(world) else Guarded(world)
 
 
 def made(factory: WorldFactory) -> World:
     """Make a world, such that it tells what it does wrong.
-
-    Args:
-        factory: Builds it.
 
     Raises:
         InvalidValue: If the factory is none.
@@ -198,19 +186,21 @@ def made(factory: WorldFactory) -> World:
 
 @contextmanager
 def placed(place: str) -> Iterator[None]:
-    """Add to what a world does wrong where that was.
-
-    Args:
-        place: Where, like `interaction 18`.
-    """
+    """Add to what a world does wrong where that was, like `interaction 18`."""
     try:
         yield
     except InvalidWorld as error:
         raise error.at(place) from error
 
 
-def _is_ours(world: object) -> bool:
-    return not isinstance(world, type) and type(world).__module__.split(".")[0] == __name__.split(".")[0]
+def bytes_of(scene: Scene) -> bytes:
+    """Return what a scene holds, to be compared."""
+    return b"".join(np.asarray(a).tobytes() for a in (scene.features, scene.positions, scene.orientations))
+
+
+def is_number(value: Any) -> bool:
+    """Say whether something is a finite number."""
+    return isinstance(value, int | float | np.number) and math.isfinite(value)
 
 
 def _plain_scene(scene: Scene) -> Scene:
@@ -228,7 +218,7 @@ def _plain_outcome(outcome: Outcome) -> Outcome:
         toppled=bool(outcome.toppled),
         lost=bool(outcome.lost),
         peak_height=float(outcome.peak_height),
-        touched=tuple(int(number) for number in outcome.touched),
+        touched=tuple(map(int, outcome.touched)),
         disturbed=tuple((int(number), str(how)) for number, how in outcome.disturbed),  # type: ignore[misc]
         reference=outcome.reference,
         carried=bool(outcome.carried),
@@ -236,25 +226,8 @@ def _plain_outcome(outcome: Outcome) -> Outcome:
     )
 
 
-def bytes_of(scene: Scene) -> bytes:
-    """Return what a scene holds, to be compared."""
-    return b"".join(np.asarray(a).tobytes() for a in (scene.features, scene.positions, scene.orientations))
-
-
-def is_number(value: Any) -> bool:
-    """Say whether something is a finite number."""
-    return isinstance(value, int | float | np.number) and math.isfinite(value)
-
-
-def _refuse(called: str, what: str, problems: Iterator[str]) -> None:
-    """Raise the first problem of a world: each look at it relies on those before."""
-    if problem := attempt(called, what, lambda: next(problems, None)):
-        raise InvalidWorld(called, problem)
-
-
 def _attribute_problems(world: Any) -> Iterator[str]:
-    if not is_world(world):
-        missing = [attribute for attribute in REQUIRED if not hasattr(world, attribute)]
+    if missing := [attribute for attribute in REQUIRED if not hasattr(world, attribute)]:
         yield f"is no World: {type(world).__name__} lacks {', '.join(missing)}"
     if isinstance(world, type):
         yield "is the class of a world; valid: a world, as the class makes one"
@@ -263,12 +236,11 @@ def _attribute_problems(world: Any) -> Iterator[str]:
     features = world.feature_names
     if not (isinstance(features, tuple) and features and all(isinstance(entry, str) for entry in features)):
         yield f"has feature_names = {features!r}; valid: a tuple of one name or more"
-    if not isinstance(world.action_box, ActionBox):
-        yield f"has an action_box of type {type(world.action_box).__name__}; valid: ActionBox"
+    for name, kind in (("action_box", ActionBox), ("table", Table)):
+        if not isinstance(getattr(world, name), kind):
+            yield f"has {name} of type {type(getattr(world, name)).__name__}; valid: {kind.__name__}"
     if problem := box_problem(world.action_box):
         yield f"has an action_box with {problem}"
-    if not isinstance(world.table, Table):
-        yield f"has a table of type {type(world.table).__name__}; valid: Table"
     if not (is_number(world.lift_height) and world.lift_height > 0):
         yield f"has lift_height = {world.lift_height!r}; valid: a length above 0 m"
     references = getattr(world, "references", ())
@@ -280,18 +252,17 @@ def _attribute_problems(world: Any) -> Iterator[str]:
             yield f"has {method} = {getattr(world, method)!r}; valid: a method"
 
 
-def _scene_problems(scene: object, where: str, features: int, objects: int) -> Iterator[str]:
+def _scene_problems(scene: Any, where: str, features: int, objects: int) -> Iterator[str]:
     """Tell why something is no scene of so many objects with so many features."""
     if not isinstance(scene, Scene):
         yield f"gives a {type(scene).__name__} as {where}; valid: a Scene"
-    counted = "one object" if objects == 1 else f"{objects} objects"
     for column, width in {"features": features, "positions": 3, "orientations": 4}.items():
         array = getattr(scene, column)
         if not isinstance(array, np.ndarray):
             yield f"gives {column} of type {type(array).__name__} in {where}; valid: a numpy array"
         if array.shape != (objects, width):
-            shape = f"gives {column} of shape {array.shape} in {where}"
-            yield f"{shape}; valid for {counted}: ({objects}, {width})"
+            valid = f"valid for {counted(objects, 'object')}: ({objects}, {width})"
+            yield f"gives {column} of shape {array.shape} in {where}; {valid}"
         if array.dtype.kind != "f" or not np.all(np.isfinite(array)):
             yield f"gives {column} in {where} that are not finite floats"
 
@@ -310,7 +281,7 @@ def _outcome_problems(
         yield f"gives a {type(outcome).__name__} from interact; valid: an Outcome"
     for moment in ("start", "lifted", "end"):
         seen, where = getattr(outcome, moment), f"outcome.{moment}"
-        yield from _scene_problems(seen, where, len(world.feature_names), len(scene.features))
+        yield from _scene_problems(seen, where, len(world.feature_names), len(scene))
         if not np.array_equal(seen.features, scene.features):
             yield f"changes the features of an object in {where}"
     if not _is_index(outcome.target) or outcome.target != target:
@@ -324,82 +295,59 @@ def _outcome_problems(
         yield "gives outcome.carried = True without a reference"
     if not is_number(outcome.peak_height):
         yield f"gives outcome.peak_height = {outcome.peak_height!r}; valid: metres"
-    yield from _bystander_problems(outcome, len(scene.features))
+    yield from _bystander_problems(outcome, len(scene))
 
 
 def _bystander_problems(outcome: Outcome, count: int) -> Iterator[str]:
-    def is_object(number: Any) -> bool:
-        return _is_index(number) and 0 <= number < count
-
     def is_bystander(number: Any) -> bool:
-        return is_object(number) and number != outcome.target
+        return _is_index(number, count) and number != outcome.target
 
-    def is_tuple(values: Any, fits: Callable[[Any], bool]) -> bool:
-        return isinstance(values, tuple) and all(map(fits, values))
+    def is_ending(pair: Any) -> bool:
+        return isinstance(pair, tuple) and len(pair) == 2 and is_bystander(pair[0]) and pair[1] in _ENDINGS
 
-    def is_pair(pair: Any) -> bool:
-        return isinstance(pair, tuple) and len(pair) == 2
+    def is_contact(pair: Any) -> bool:
+        is_pair = isinstance(pair, tuple) and len(pair) == 2
+        return is_pair and all(_is_index(number, count) for number in pair) and bool(pair[0] < pair[1])
 
     numbers = f"numbers from 0 to {count - 1}"
-    if not is_tuple(outcome.touched, is_bystander):
-        yield f"gives outcome.touched = {outcome.touched!r}; valid: a tuple of {numbers}, without the target"
-    if not is_tuple(
-        outcome.disturbed, lambda pair: is_pair(pair) and is_bystander(pair[0]) and pair[1] in _ENDINGS
+    for name, fits, valid in (
+        ("touched", is_bystander, f"a tuple of {numbers}, without the target"),
+        ("disturbed", is_ending, f"pairs of a bystander and one of {', '.join(_ENDINGS)}"),
+        ("contacts", is_contact, f"a tuple of pairs of {numbers}, the smaller one first"),
     ):
-        valid = f"pairs of a bystander and one of {', '.join(_ENDINGS)}"
-        yield f"gives outcome.disturbed = {outcome.disturbed!r}; valid: {valid}"
-    if not is_tuple(
-        outcome.contacts, lambda pair: is_tuple(pair, is_object) and is_pair(pair) and pair[0] < pair[1]
-    ):
-        valid = f"a tuple of pairs of {numbers}, the smaller one first"
-        yield f"gives outcome.contacts = {outcome.contacts!r}; valid: {valid}"
+        values = getattr(outcome, name)
+        if not isinstance(values, tuple) or not all(map(fits, values)):
+            yield f"gives outcome.{name} = {values!r}; valid: {valid}"
 
 
-def _is_index(value: Any) -> bool:
-    return isinstance(value, int | np.integer) and not isinstance(value, bool)
+def _is_index(value: Any, count: float = math.inf) -> bool:
+    is_whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    return is_whole and bool(0 <= value < count)
 
 
 # Which objects a world makes, where it says so
 
-_SLACK = 1e-9
-"""Numbers that were written by hand may be off by so much."""
-
+_SLACK = 1e-9  # numbers that were written by hand may be off by so much
 Range = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
 class ObjectLimits:
-    """Which objects a world makes; all rest on a table whose top is at height 0.
+    """Which objects a world makes; all rest on a table whose top is at height 0."""
 
-    Attributes:
-        feature_names: What the features are called: sizes along x, y and z, and type.
-        sizes: Least and greatest size along each axis [m].
-        types: The types there are.
-        most: How many one scene can be simulated with; None if there is no limit.
-    """
-
-    feature_names: tuple[str, ...]
-    sizes: tuple[Range, Range, Range]
-    types: tuple[float, ...]
-    most: int | None = None
+    feature_names: tuple[str, ...]  # what the features are called: sizes along x, y and z, and type
+    sizes: tuple[Range, Range, Range]  # least and greatest size along each axis [m]
+    types: tuple[float, ...]  # the types there are
+    most: int | None = None  # how many one scene can be simulated with; None if there is no limit
 
     def too_many(self, objects: int) -> str:
-        """Say if there are more objects than can be simulated, or nothing.
-
-        Args:
-            objects: How many there are.
-        """
+        """Say if there are more objects than can be simulated, or nothing."""
         if self.most is None or objects <= self.most:
             return ""
         return f"there are {objects} objects; the simulator takes at most {self.most}"
 
     def check(self, item: str, features: tuple[float, ...]) -> None:
-        """Raise `InvalidValue` unless the world makes such objects.
-
-        Args:
-            item: What the object is called.
-            features: What it is.
-        """
+        """Raise `InvalidValue` unless the world makes objects of such features; `item` is its name."""
         if len(features) != len(self.feature_names):
             named = ", ".join(self.feature_names)
             raise InvalidValue(f"{item} has {len(features)} features; valid: {named}.")
@@ -414,11 +362,7 @@ class ObjectLimits:
 
 
 def limits_of(world: World) -> ObjectLimits | None:
-    """Return which objects a world makes (its `object_limits`), or None if it does not say.
-
-    Args:
-        world: The world.
-    """
+    """Return which objects a world makes (its `object_limits`), or None if it does not say."""
     limits = getattr(world, "object_limits", None)
     return limits if isinstance(limits, ObjectLimits) else None
 
@@ -428,28 +372,18 @@ def limits_of(world: World) -> ObjectLimits | None:
 # A straight way begins and ends at rest, by a quintic profile whose peak speed is 1.875 times its mean
 # speed.
 
-PEAK_SPEED = 0.45
-"""Greatest speed of the hand [m/s]; faster pushes make objects coast on."""
-LOWERING_SPEED = 0.25
-"""Greatest speed of a held object on its way down [m/s]."""
-FINGER_SPEED = 0.25
-"""Greatest speed of a finger [m/s]."""
-CLEARANCE = 0.005
-"""The hand starts at least this far above whatever it would otherwise touch [m]."""
+PEAK_SPEED = 0.45  # greatest speed of the hand [m/s]; faster pushes make objects coast on
+LOWERING_SPEED = 0.25  # greatest speed of a held object on its way down [m/s]
+FINGER_SPEED = 0.25  # greatest speed of a finger [m/s]
+CLEARANCE = 0.005  # the hand starts at least this far above whatever it would otherwise touch [m]
 GRASP_TEST = 0.03
 """How far the hand rises to find whether the target hangs from it, before it carries it away [m]."""
-TRANSIT_CLEARANCE = 0.02
-"""What is carried passes at least this far above everything else [m]."""
+TRANSIT_CLEARANCE = 0.02  # what is carried passes at least this far above everything else [m]
 _PEAK_OVER_MEAN = 1.875
 
 
 def way_seconds(metres: float, peak_speed: float = PEAK_SPEED) -> float:
-    """Return how long a straight way takes from rest to rest [s].
-
-    Args:
-        metres: Its length [m].
-        peak_speed: Greatest speed on the way [m/s].
-    """
+    """Return how long a straight way [m] takes from rest to rest [s], with a greatest speed [m/s]."""
     return metres * _PEAK_OVER_MEAN / peak_speed
 
 
@@ -459,53 +393,37 @@ def way_seconds(metres: float, peak_speed: float = PEAK_SPEED) -> float:
 # poses instead. A world need not know them; one that does is `Posed`.
 
 PartKind = Literal["box", "cylinder", "sphere"]
-PARTS: tuple[PartKind, ...] = ("box", "cylinder", "sphere")
-"""The kinds of a part: its size is its edges [m], its radius and length [m], or its radius [m]."""
-POSE_SECONDS = 1 / 30
-"""Time of the simulation between two poses [s]."""
+"""The kind of a part: its size is its edges [m], its radius and length [m], or its radius [m]."""
+POSE_SECONDS = 1 / 30  # time of the simulation between two poses [s]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pose:
-    """Where everything is at one moment of an interaction, in the world frame.
+    """Where everything is at one moment of an interaction, in the world frame."""
 
-    Attributes:
-        seconds: Time of the simulation since the interaction began [s].
-        phase: Name of the phase of the motion, as `FrameSink` is given it.
-        links: Of each link of the robot, its base first: position [m], and orientation as (x, y, z, w).
-        positions: Centre of each object [m].
-        orientations: Orientation of each object, as a quaternion (x, y, z, w).
-    """
-
-    seconds: float
-    phase: str
+    seconds: float  # time of the simulation since the interaction began [s]
+    phase: str  # name of the phase of the motion, as `FrameSink` is given it
+    # of each link of the robot, its base first: position [m], and orientation as (x, y, z, w)
     links: Float[np.ndarray, "L 7"]
-    positions: Float[np.ndarray, "M 3"]
-    orientations: Float[np.ndarray, "M 4"]
+    positions: Float[np.ndarray, "M 3"]  # centre of each object [m]
+    orientations: Float[np.ndarray, "M 4"]  # orientation of each object, as a quaternion (x, y, z, w)
 
 
-PoseSink = Callable[[Pose], None]
-"""Takes a pose as soon as it is there; the motion goes on when it returns."""
+PoseSink = Callable[[Pose], None]  # takes a pose as soon as it is there; the motion goes on when it returns
 
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """One simple body that a link of the robot, or an object, is drawn with.
+    """One simple body that a link of the robot, or an object, is drawn with."""
 
-    Attributes:
-        kind: One of `PARTS`.
-        size: Its size, as its kind says [m].
-        position: Its centre in the frame of the link or the object [m].
-        orientation: Its orientation there, as a quaternion (x, y, z, w); a cylinder lies along its z axis.
-        link: Number of the link, the base being 0; 0 for an object.
-        colour: Red, green and blue from 0 to 1; None where nothing is said.
-    """
-
-    kind: PartKind
-    size: tuple[float, ...]
+    kind: PartKind  # see `PartKind`
+    size: tuple[float, ...]  # its size, as its kind says [m]
+    # its centre in the frame of the link or the object [m]
     position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    # its orientation there, as a quaternion (x, y, z, w); a cylinder lies along its z axis
     orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
-    link: int = 0
+    link: int = 0  # number of the link, the base being 0; 0 for an object
+    # red, green and blue from 0 to 1; None where nothing is said
     colour: tuple[float, float, float] | None = None
 
 
@@ -521,16 +439,9 @@ class Posed(Protocol):
 
     def robot_parts(self) -> tuple[Part, ...]:
         """Return what the robot is drawn with."""
-        ...
 
     def robot_at_rest(self) -> Float[np.ndarray, "L 7"]:
         """Return the poses of the robot's links while it waits; see `Pose.links`."""
-        ...
 
     def object_parts(self, features: Float[np.ndarray, "F"]) -> tuple[Part, ...]:
-        """Return what an object is drawn with.
-
-        Args:
-            features: What it is.
-        """
-        ...
+        """Return what an object of such features is drawn with."""

@@ -6,7 +6,7 @@ import shlex
 import sys
 import unicodedata
 from collections.abc import Callable, Iterable, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, nullcontext, suppress
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
@@ -14,8 +14,7 @@ from typing import Any, Protocol
 
 # Paths, lengths and texts of strangers as a user reads them
 
-PIPE_WIDTH = 160
-"""Columns to print in, where there is no terminal to ask."""
+PIPE_WIDTH = 160  # columns to print in, where there is no terminal to ask
 
 
 def quoted(path: Path | str) -> str:
@@ -29,28 +28,25 @@ def harmless(text: str) -> str:
     Control characters, which may hide text or type commands, become escapes as in Python's strings. So does
     what changes the direction of writing, and what is no character at all. Line ends and tabs stay.
     """
-    return text if text.isprintable() else "".join(map(_shown, text))
 
+    def shown(sign: str) -> str:
+        if sign in "\n\t" or unicodedata.category(sign) not in ("Cc", "Cf", "Cs", "Zl", "Zp"):
+            return sign
+        return f"\\x{ord(sign):02x}" if ord(sign) < 256 else f"\\u{ord(sign):04x}"
 
-def _shown(sign: str) -> str:
-    if sign in "\n\t" or unicodedata.category(sign) not in ("Cc", "Cf", "Cs", "Zl", "Zp"):
-        return sign
-    return f"\\x{ord(sign):02x}" if ord(sign) < 256 else f"\\u{ord(sign):04x}"
+    return text if text.isprintable() else "".join(map(shown, text))
 
 
 def in_millimetres(distance: float, allowed: float) -> str:
-    """Return a distance in whole mm, with decimals where it would look allowed and is not.
+    """Return a distance [m] in whole mm, with decimals where it would look allowed [m] and is not.
 
     Args:
         distance: The distance [m].
         allowed: The greatest that is allowed [m].
     """
-    text = ""
-    for digits in range(10):
-        text = f"{1000 * distance:.{digits}f}"
-        if distance <= allowed or float(text) > 1000 * allowed:
-            break
-    return f"{text} mm"
+    texts = [f"{1000 * distance:.{digits}f}" for digits in range(10)]
+    plain = (text for text in texts if distance <= allowed or float(text) > 1000 * allowed)
+    return f"{next(plain, texts[-1])} mm"
 
 
 def counted(count: int, noun: str) -> str:
@@ -59,12 +55,7 @@ def counted(count: int, noun: str) -> str:
 
 
 def listed_briefly(names: Sequence[str], most: int = 16) -> str:
-    """Return names with commas between, of a long list the first ones and how many more there are.
-
-    Args:
-        names: What is listed.
-        most: How many are named at most.
-    """
+    """Return names with commas between, of a long list the first ones and how many more there are."""
     more = len(names) - most
     return ", ".join(names[:most]) + (f" and {more} more" if more > 0 else "")
 
@@ -93,11 +84,12 @@ class FolderNotFound(NeurosymError):
     """A domain folder that does not exist."""
 
     def __init__(self, folder: Path):
-        valid = (
-            "name a domain folder" if folder.exists() else f"`neurosym init {quoted(folder)}` makes a new one"
-        )
-        problem = f"{folder} is a file" if folder.exists() else f"There is no folder {folder}"
-        super().__init__(f"{problem}; {valid}.")
+        if folder.exists():
+            super().__init__(f"{folder} is a file; name a domain folder.")
+        else:
+            super().__init__(
+                f"There is no folder {folder}; `neurosym init {quoted(folder)}` makes a new one."
+            )
 
 
 class StageMissing(NeurosymError):
@@ -120,16 +112,6 @@ class CannotWrite(NeurosymError, OSError):
     def __init__(self, path: Path, error: OSError):
         self.reason = str(error.strerror or error)
         super().__init__(f"{path} cannot be written: {self.reason}.")
-
-
-class OtherLibrary(NeurosymError):
-    """Another library with the same import name."""
-
-    def __init__(self, version: str, own: str):
-        super().__init__(
-            f"Another library called neurosym (version {version}) is installed here, and is imported by the "
-            f"same name; install {own} in an environment of its own."
-        )
 
 
 class FolderTaken(NeurosymError):
@@ -183,18 +165,13 @@ class InvalidValue(NeurosymError):
 class InvalidWorld(InvalidValue):
     """A world of one's own that cannot be used; `name` is `module:factory`, or the name it has itself."""
 
-    is_placed = False
-    """Whether the message says where it was."""
+    is_placed = False  # whether the message says where it was
 
     def __init__(self, name: str, problem: str):
         super().__init__(f"The world {name!r} {problem}.")
 
     def at(self, place: str) -> "InvalidWorld":
-        """Return the same error, which also says where it was, unless it does so already.
-
-        Args:
-            place: Where, like `interaction 18`.
-        """
+        """Return the same error, which also says where it was, unless it does so already."""
         if self.is_placed:
             return self
         error = InvalidWorld.__new__(type(self))
@@ -225,8 +202,7 @@ class InvalidPlan(NeurosymError):
 
 # How long work reports how far it has come
 
-Progress = Callable[[int, int], None]
-"""Called with how many parts are done, and how many there are."""
+Progress = Callable[[int, int], None]  # called with how many parts are done, and how many there are
 
 
 class Advance(Protocol):
@@ -234,23 +210,15 @@ class Advance(Protocol):
 
     def __call__(self, done: int, total: int, label: str | None = None) -> None:
         """Say that `done` of `total` parts are finished; a new label begins a new bar."""
-        ...
 
 
-Doing = Callable[[str], None]
-"""Tells what a command is doing now, in a few words."""
+Doing = Callable[[str], None]  # tells what a command is doing now, in a few words
 OpenBar = Callable[[str], AbstractContextManager[Progress]]
 """Called with what is being done; gives what reports how far that has come."""
 
 
 def part(progress: Progress | None, before: int, total: int | None = None) -> Progress | None:
-    """Return what reports how far a part of long work has come, such that the whole is reported.
-
-    Args:
-        progress: Reports how far the whole has come, if anybody wants to know.
-        before: How much was done before this part.
-        total: How much there is in all; what was done before and this part, if that is not known yet.
-    """
+    """Return what reports the whole as a part advances, after so much before it; its total may be unknown."""
     if progress is None:
         return None
     return lambda done, of: progress(before + done, before + of if total is None else total)
@@ -269,9 +237,9 @@ def silent(_: str) -> AbstractContextManager[Progress]:
 NAME = "neurosym-pddl"
 """The name under which neurosym is installed; on the package index, `neurosym` is another library."""
 BUILDS = {"neurosym": (NAME,), "pybullet": ("pybullet", "pybullet-arm64")}
-"""Distributions that bring a package, where their name is not its own, the first that is installed."""
-_COMMAND = "neurosym.commands.cli:main"
+"""Distributions that bring a package, where their name is not its own."""
 _RECORD = re.compile(r"(?P<name>[^-]+)(?:-(?P<version>[^-]+)(?:-py\d[^-]*)?)?\.(?:dist|egg)-info")
+_VISER = ((1, 1), (2, 0))  # drags were dead in some versions before, and the next great one may differ
 
 
 def version_of(package: str) -> str:
@@ -280,23 +248,28 @@ def version_of(package: str) -> str:
     Args:
         package: What it is imported as, or its distribution.
     """
-    names = BUILDS.get(package, (package,))
     recorded = _recorded(tuple(sys.path))
-    return next((recorded[name] for name in map(_canonical, names) if recorded.get(name)), "unknown")
+    found = (recorded.get(_canonical(name)) for name in BUILDS.get(package, (package,)))
+    return next(filter(None, found), "unknown")
 
 
 def refuse_other_library() -> None:
-    """Raise `OtherLibrary` if the library that the package index calls `neurosym` is installed beside ours.
+    """Raise unless the library that the package index calls `neurosym` is missing here."""
+    if version := _recorded(tuple(sys.path)).get("neurosym"):
+        raise NeurosymError(
+            f"Another library called neurosym (version {version}) is installed here, and is imported by the "
+            f"same name; install {NAME} in an environment of its own."
+        )
 
-    Ours once had that name, too; it is told by its command.
-    """
-    if "neurosym" not in _recorded(tuple(sys.path)):
-        return
-    from importlib.metadata import distribution
 
-    other = distribution("neurosym")
-    if not any(entry.value == _COMMAND for entry in other.entry_points):
-        raise OtherLibrary(other.version, NAME)
+def check_extra() -> None:
+    """Raise `NeurosymError` unless what the page is drawn with is installed, in a version that does."""
+    found = version_of("viser")
+    numbers = tuple(int(part) for part in found.split(".")[:2] if part.isdigit())
+    if not _VISER[0] <= numbers < _VISER[1]:
+        is_known = f"viser {found} will not do (valid: from 1.1, below 2)"
+        wrong = "viser is not installed" if found == "unknown" else is_known
+        raise NeurosymError(f"{wrong}; install it with: pip install 'neurosym-pddl[studio]'")
 
 
 @cache
@@ -304,42 +277,12 @@ def _recorded(places: tuple[str, ...]) -> dict[str, str]:
     """Return the versions of what is installed, by canonical name; the first folder that holds it counts."""
     found: dict[str, str] = {}
     for place in places:
-        try:
-            names = os.listdir(place or ".")  # noqa: PTH208 (as many as there are packages, and no more than names)
-        except OSError:  # a zip file, or a folder that is gone
-            continue
-        for record in filter(None, map(_RECORD.fullmatch, sorted(names))):
-            found.setdefault(_canonical(record["name"]), record["version"] or "")
+        with suppress(OSError):  # a zip file, or a folder that is gone
+            names = sorted(os.listdir(place or "."))  # noqa: PTH208 (as many as packages, and no more than names)
+            for record in filter(None, map(_RECORD.fullmatch, names)):
+                found.setdefault(_canonical(record["name"]), record["version"] or "")
     return found
 
 
 def _canonical(name: str) -> str:
     return re.sub(r"[-_.]+", "-", name).lower()
-
-
-# Whether what the page is drawn with is installed; this module is imported without it
-
-LEAST, BELOW = (1, 1), (2, 0)
-"""The versions of viser that do: drags were dead in some before, and the next great one may differ."""
-_REMEDY = "install it with: pip install 'neurosym-pddl[studio]'"
-
-
-class StudioMissing(NeurosymError):
-    """What draws the page is not installed, or in a version that will not do."""
-
-    def __init__(self, found: str = ""):
-        wrong = f"viser {found} will not do (valid: from 1.1, below 2)" if found else "viser is not installed"
-        super().__init__(f"{wrong}; {_REMEDY}")
-
-
-def check_extra() -> None:
-    """Raise `StudioMissing` unless the page can be drawn."""
-    from importlib.metadata import PackageNotFoundError, version  # takes longer than the rest of this
-
-    try:
-        found = version("viser")
-    except PackageNotFoundError:
-        raise StudioMissing from None
-    numbers = tuple(int(part) for part in found.split(".")[:2] if part.isdigit())
-    if not LEAST <= numbers < BELOW:
-        raise StudioMissing(found)

@@ -33,12 +33,10 @@ MOST_DATA = GIGABYTE
 """Bytes of the arrays of a data set, unpacked, or of a network: ten million rows and more."""
 MOST_JSON = 256 * MEGABYTE
 MOST_TEXT = 64 * MEGABYTE
-MOST_SETTINGS = MEGABYTE
-"""Bytes of a `world.toml`."""
-DEEPEST = 50
-"""How deep lists and tables stand in one another at most; ours do in 8."""
-LARGEST_WHOLE = 2**63 - 1
-"""Greatest whole number in a file or on the command line."""
+MOST_SETTINGS = MEGABYTE  # bytes of a `world.toml`
+DEEPEST = 50  # how deep lists and tables stand in one another at most; ours do in 8
+_TOO_DEEP = f"its lists and tables are nested too deep; valid: at most {DEEPEST} in one another"
+LARGEST_WHOLE = 2**63 - 1  # greatest whole number in a file or on the command line
 _MOST_DOTS = 200  # in a key of TOML, which is read in time that grows with their square
 _NOT_FINITE = re.compile(rb"\b(NaN|Infinity)\b")
 _PATTERN = re.compile(r"Expected `str` matching regex '\\\\A\[(01|a-z)\]\S*'")
@@ -49,23 +47,17 @@ _NO_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
 
 @contextmanager
 def opened(path: Path, most: int) -> Iterator[BufferedReader]:
-    """Open a file for reading, if it is a regular one and not too large.
-
-    Args:
-        path: The file.
-        most: How large it can be [bytes].
+    """Open a file for reading, if it is a regular one of at most so many bytes.
 
     Raises:
         InvalidFile: If there is none, it is of another kind or too large, or cannot be read.
     """
     try:
-        _check_kind(path, path.stat())  # a device might do something when it is opened
+        refuse_other_kinds(path, "")  # a device might do something when it is opened
         descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
         with os.fdopen(descriptor, "rb") as file:
-            found = os.fstat(descriptor)
-            _check_kind(path, found)
-            if found.st_size > most:
-                raise _too_large(path, found.st_size, most)
+            if (size := os.fstat(descriptor).st_size) > most:
+                raise _too_large(path, size, most)
             yield file
     except FileNotFoundError as error:
         raise InvalidFile(path, "there is no such file") from error
@@ -76,15 +68,7 @@ def opened(path: Path, most: int) -> Iterator[BufferedReader]:
 
 
 def read_bytes(path: Path, most: int = MOST_TEXT) -> bytes:
-    """Read a file.
-
-    Args:
-        path: The file.
-        most: How large it can be [bytes].
-
-    Raises:
-        InvalidFile: See `opened`.
-    """
+    """Read a file of at most so many bytes; see `opened`."""
     with opened(path, most) as file:
         content = file.read(most + 1) or b""  # some files say that they hold nothing, and go on and on
     if len(content) > most:
@@ -93,15 +77,7 @@ def read_bytes(path: Path, most: int = MOST_TEXT) -> bytes:
 
 
 def read_text(path: Path, most: int = MOST_TEXT) -> str:
-    """Read a file of UTF-8 text; a byte order mark at its beginning is left out.
-
-    Args:
-        path: The file.
-        most: How large it can be [bytes].
-
-    Raises:
-        InvalidFile: If it is no text; see `opened`.
-    """
+    """Read a file of UTF-8 text, without its byte order mark; `InvalidFile` if it is none; see `opened`."""
     try:
         return read_bytes(path, most).decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -109,16 +85,7 @@ def read_text(path: Path, most: int = MOST_TEXT) -> str:
 
 
 def read_json(path: Path, kind: type[Document], remedy: str = "") -> Document:
-    """Read a JSON document and check it against its type.
-
-    Args:
-        path: The file.
-        kind: The msgspec structure that it must fit.
-        remedy: What the message ends with, if the file does not fit.
-
-    Raises:
-        InvalidFile: If the file cannot be read or does not fit; the message names the field.
-    """
+    """Read a JSON document and check it against its type; see `opened` and `decode_json`."""
     return decode_json(path, read_bytes(path, MOST_JSON), kind, remedy)
 
 
@@ -134,18 +101,22 @@ def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = 
     Raises:
         InvalidFile: If it does not fit; the message names the field.
     """
-    from neurosym.checks import decoding  # with numpy, which takes long to import
+    import numpy as np  # which takes long
+
+    from neurosym.checks import decoding
 
     content = content.removeprefix(codecs.BOM_UTF8)
     outside = _STRING.sub(b"", content)
-    if _depth(outside) > DEEPEST:
-        raise InvalidFile(path, _too_deep() + remedy)
+    brackets = np.frombuffer(outside.translate(None, _NO_BRACKETS), dtype=np.uint8)
+    if np.cumsum(np.where(np.isin(brackets, tuple(b"[{")), 1, -1)).max(initial=0) > DEEPEST:
+        raise InvalidFile(path, _TOO_DEEP + remedy)
     decoding.now = True
     try:
         return msgspec.json.decode(content, type=kind)
     except (msgspec.MsgspecError, UnicodeDecodeError, OverflowError, RecursionError, InvalidValue) as error:
         is_other = isinstance(error, msgspec.ValidationError | InvalidValue)
-        said = ("" if is_other else "it is not JSON: ") + shortened(_in_words(error), 300)
+        words = _PATTERN.sub(lambda found: f"Expected {_MATCHING[found[1]]}", str(error).rstrip("."))
+        said = ("" if is_other else "it is not JSON: ") + shortened(words, 300)
         if not is_other and (found := _NOT_FINITE.search(outside)):
             said += f"; {found[0].decode()} is no number there"
         raise InvalidFile(path, said + remedy) from error
@@ -153,71 +124,35 @@ def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = 
         decoding.now = False
 
 
-def _depth(outside: bytes) -> int:
-    """Return how deep lists and tables stand in one another in a document without its strings."""
-    import numpy as np
-
-    brackets = np.frombuffer(outside.translate(None, _NO_BRACKETS), dtype=np.uint8)
-    opens = np.isin(brackets, tuple(b"[{"))
-    return int(np.cumsum(np.where(opens, 1, -1)).max(initial=0))
-
-
-def _in_words(error: Exception) -> str:
-    """Return what an error says, with words for patterns of ours."""
-    said = str(error).rstrip(".")
-    return _PATTERN.sub(lambda found: f"Expected {_MATCHING[found[1]]}", said)
-
-
 def read_toml(path: Path, remedy: str = "") -> dict[str, Any]:
-    """Read a TOML document.
-
-    Args:
-        path: The file.
-        remedy: What the message ends with, if it cannot be read.
-
-    Raises:
-        InvalidFile: If it is not TOML, or nested without measure; see `opened`.
-    """
+    """Read a TOML document; `InvalidFile` if it is none, or nested without measure; see `read_json`."""
     text = read_text(path, MOST_SETTINGS)
     lines = (line for line in text.splitlines() if not line.lstrip().startswith("#"))
     if any(piece.count(".") > _MOST_DOTS for line in lines for piece in line.split(",")):
-        raise InvalidFile(path, _too_deep() + remedy)
+        raise InvalidFile(path, _TOO_DEEP + remedy)
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:
         deep = isinstance(error, RecursionError)
-        said = _too_deep() if deep else f"it is not TOML: {shortened(str(error).rstrip('.'), 300)}"
+        said = _TOO_DEEP if deep else f"it is not TOML: {shortened(str(error).rstrip('.'), 300)}"
         raise InvalidFile(path, said + remedy) from error
 
 
 def digest(path: Path) -> str:
-    """Return the SHA-256 of a file, in hexadecimal.
-
-    Raises:
-        InvalidFile: See `opened`.
-    """
+    """Return the SHA-256 of a file, in hexadecimal; see `opened`."""
     with opened(path, 4 * MOST_DATA) as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def refuse_other_kinds(path: Path) -> None:
+def refuse_other_kinds(path: Path, remedy: str = "; move it away") -> None:
     """Raise `InvalidFile` if something stands in the place of a file that is none."""
-    if path.exists():
-        _check_kind(path, path.stat(), "; move it away")
-
-
-def _check_kind(path: Path, found: os.stat_result, remedy: str = "") -> None:
-    if not stat.S_ISREG(found.st_mode):
-        kind = "a folder" if stat.S_ISDIR(found.st_mode) else "a pipe, a socket or a device"
+    if path.exists() and not stat.S_ISREG(path.stat().st_mode):
+        kind = "a folder" if path.is_dir() else "a pipe, a socket or a device"
         raise InvalidFile(path, f"it is {kind}, and should be a file{remedy}")
 
 
 def _too_large(path: Path, size: int, most: int) -> InvalidFile:
     return InvalidFile(path, f"it has {size / MEGABYTE:.0f} MB; valid: at most {most / MEGABYTE:g} MB")
-
-
-def _too_deep() -> str:
-    return f"its lists and tables are nested too deep; valid: at most {DEEPEST} in one another"
 
 
 # Drafts: files that are written beside their places, under names that begin with `.neurosym-`.
@@ -231,12 +166,7 @@ _OWNER = re.compile(re.escape(_BESIDE) + r"(\d+)-")
 
 @contextmanager
 def draft(place: Path, data: bytes) -> Iterator[Path]:
-    """Write a draft, and drop it if what is done with it fails, whenever a signal is raised meanwhile.
-
-    Args:
-        place: Where the file shall stand; its folder exists.
-        data: What it holds.
-    """
+    """Write a draft beside its place, and drop it if what is done with it fails, or a signal is raised."""
     path = place.parent / f"{_BESIDE}{os.getpid()}-{secrets.token_hex(8)}"  # known before there is a file
     try:
         with path.open("xb") as file:
@@ -249,10 +179,10 @@ def draft(place: Path, data: bytes) -> Iterator[Path]:
 
 
 class Drafts:
-    """Files that are written beside their places, and put there together.
+    """Files that are written beside their places within a `with`, and put there together.
 
-    Within `with Drafts() as drafts:` every write of this thread is a draft, and every removal is noted. What
-    was not put in place by the end is dropped: the files are as they were.
+    Every write of this thread is a draft, and every removal is noted. What was not put in place by the end
+    is dropped: the files are as they were.
     """
 
     def __init__(self) -> None:
@@ -268,11 +198,7 @@ class Drafts:
             written.unlink(missing_ok=True)
 
     def put_in_place(self) -> None:
-        """Rename every draft to its place, and remove what shall be gone.
-
-        Raises:
-            CannotWrite: If a file cannot be put in its place; those before it are.
-        """
+        """Rename every draft to its place, and remove what shall be gone; `CannotWrite` once that fails."""
         for path, written in tuple(self._drafts.items()):
             with naming(path):
                 written.replace(path) if written else path.unlink(missing_ok=True)
@@ -296,11 +222,6 @@ class Drafts:
 _drafts: ContextVar[Drafts | None] = ContextVar("drafts", default=None)
 
 
-def collecting() -> Drafts | None:
-    """Return the drafts that writes are added to now, if any are."""
-    return _drafts.get()
-
-
 @contextmanager
 def at_once() -> Iterator[None]:
     """Put files in place as they are written, even among `Drafts`: a checkpoint must outlive a kill."""
@@ -321,28 +242,18 @@ def remove_leftovers(folder: Path) -> None:
 
 def _is_owned(name: str) -> bool:
     """Say whether the process that writes a draft is alive."""
-    owner = _OWNER.match(name)
-    if owner is None:
+    if (owner := _OWNER.match(name)) is None:
         return False
     try:
         os.kill(int(owner[1]), 0)
-    except (ProcessLookupError, OverflowError):
-        return False
-    except PermissionError:  # somebody else's
-        pass
+    except (OSError, OverflowError) as error:
+        return isinstance(error, PermissionError)  # then it is somebody else's
     return True
 
 
 @contextmanager
 def naming(path: Path) -> Iterator[None]:
-    """Have errors of the system name the file that could not be written.
-
-    Args:
-        path: The file, or folder.
-
-    Raises:
-        CannotWrite: In place of any error of the system.
-    """
+    """Have errors of the system name the file that could not be written, as `CannotWrite`."""
     try:
         yield
     except CannotWrite:
@@ -351,39 +262,24 @@ def naming(path: Path) -> Iterator[None]:
         raise CannotWrite(path, error) from error
 
 
-# Writing files whole or not at all.
-#
-# Every file of ours is written here, so that a write that fails names the file.
+# Writing files whole or not at all; a write that fails names the file.
 
 _BLOCK = bytes(4096)  # as much as any file system sets aside for a small file
 
 
 def write_atomically(path: Path, content: bytes | str) -> None:
-    """Write a file through a temporary one and a rename, so that a kill leaves the old file or the new.
-
-    Args:
-        path: Where the file shall stand; its folder exists.
-        content: Bytes, or text that is written as UTF-8.
-
-    Raises:
-        CannotWrite: If the system does not let it be written; nothing has changed.
-    """
+    """Write bytes, or text as UTF-8, by a draft and a rename: a kill leaves the old file or the new."""
     # A name that is not UTF-8 can only be told by escapes.
     data = content.encode(errors="backslashreplace") if isinstance(content, str) else content
     with naming(path), draft(path, data) as written:
-        if drafts := collecting():
+        if drafts := _drafts.get():
             drafts.add(path, written)
         else:
             written.replace(path)
 
 
 def write_new(path: Path, content: bytes | str) -> bool:
-    """Write a file unless one is there, and say whether it was written; of several writers one does it.
-
-    Args:
-        path: Where the file shall stand; its folder exists.
-        content: Bytes, or text that is written as UTF-8.
-    """
+    """Write a file unless one is there, and say whether it was written; of several writers one does it."""
     if path.exists():
         return False
     data = content.encode() if isinstance(content, str) else content
@@ -401,11 +297,11 @@ def write_new(path: Path, content: bytes | str) -> bool:
 
 def remove(path: Path) -> None:
     """Remove a file, if it is there; among `Drafts`, when they are put in place."""
-    if drafts := collecting():
+    if drafts := _drafts.get():
         drafts.add(path, None)
-        return
-    with naming(path):
-        path.unlink(missing_ok=True)
+    else:
+        with naming(path):
+            path.unlink(missing_ok=True)
 
 
 def make_folder(path: Path) -> None:
@@ -424,9 +320,6 @@ def make_folder(path: Path) -> None:
 
 def check_writable(path: Path) -> None:
     """Raise unless a file can be written, before the work is done whose result it is to hold.
-
-    Args:
-        path: The file; folders above it that do not exist yet are made later.
 
     Raises:
         InvalidFile: If it is a folder or a device, or one of the folders above it is a file.
@@ -448,12 +341,8 @@ def write_json(path: Path, document: object) -> None:
 
 
 def digests(places: Mapping[str, Path]) -> dict[str, str]:
-    """Return the SHA-256 of each file that is there, or will be when `Drafts` are put in place.
-
-    Args:
-        places: The files, by name.
-    """
-    drafts = collecting()
+    """Return the SHA-256 of each file, by name, that is there, or will be when `Drafts` are in place."""
+    drafts = _drafts.get()
     found = {name: drafts.now_at(path) if drafts else path for name, path in places.items()}
     return {name: digest(path) for name, path in found.items() if path and path.is_file()}
 
@@ -468,11 +357,7 @@ _TRIES, _PAUSE = 40, 0.05  # how often somebody who is busy for a moment is aske
 
 @contextmanager
 def locked(path: Path) -> Iterator[None]:
-    """Hold a file or folder, which exists, for oneself alone; wait while another process holds it.
-
-    Args:
-        path: The file or folder; it may be replaced by a rename meanwhile.
-    """
+    """Hold a file or folder, which exists and may be replaced by a rename meanwhile, for oneself alone."""
     while True:
         descriptor = os.open(path, os.O_RDONLY)
         try:
@@ -488,10 +373,6 @@ def take(folder: Path, *, alone: bool) -> int | None:
     """Take a folder, for oneself or together with others who do not want it alone.
 
     Whoever has it for a moment only, about two seconds, is waited for.
-
-    Args:
-        folder: The folder.
-        alone: Whether to take it for oneself.
 
     Returns:
         What `os.close` gives back; None if another process has the folder.
@@ -525,7 +406,6 @@ def holders(path: Path) -> tuple[int, ...]:
 def _lock(descriptor: int, how: int) -> None:
     try:
         fcntl.flock(descriptor, how)
-    except BlockingIOError:
-        raise
-    except OSError:
-        pass  # a file system without locks
+    except OSError as error:
+        if isinstance(error, BlockingIOError):
+            raise  # all others are of a file system without locks

@@ -10,31 +10,20 @@ from typing import Annotated, ClassVar, Literal, Self
 import msgspec
 import numpy as np
 
-from neurosym.checks import Document, Float, UInt8, check_all, check_callable
+from neurosym.checks import Document, Float, check_all, check_callable
 from neurosym.choices import TOLERANCE as TOLERANCE
 from neurosym.errors import InvalidFile, InvalidValue, shortened
 from neurosym.files import MOST_JSON, decode_json, read_bytes
 from neurosym.world import Frame, OutcomeKind
 
-# Symbols: codes of bits, written as strings like "101"
-
 _BITS = r"\A[01]{1,64}\Z"
 Symbol = Annotated[str, msgspec.Meta(pattern=_BITS)]
-"""A code of bits; what stands in files is checked when it is read."""
-Categorise = Callable[[Float[np.ndarray, "N F"]], tuple[Symbol, ...]]
-"""Gives the object symbols of features."""
+"""A code of bits, like "101"; what stands in files is checked when it is read."""
+Categorise = Callable[[Float[np.ndarray, "N F"]], tuple[Symbol, ...]]  # gives the object symbols of features
 
 
 def symbols_of(categorise: Categorise, features: Float[np.ndarray, "N F"]) -> tuple[Symbol, ...]:
-    """Return the symbols that a function gives to objects.
-
-    Args:
-        categorise: The function.
-        features: Features of the objects.
-
-    Raises:
-        InvalidValue: If it gives what are not as many symbols.
-    """
+    """Return the symbols that a function gives to objects; `InvalidValue` if it gives not as many symbols."""
     check_callable("categorise", categorise, "a function from features (N, F) to N symbols")
     symbols = categorise(features)
     check_all("the symbols that categorise gives", symbols, str, "a tuple of symbols, like '10'")
@@ -78,8 +67,7 @@ Variant = Annotated[str, msgspec.Meta(pattern=r"\A[a-z]{0,2}\Z")]
 """Which of the parameters of an action symbol; empty where there are no others."""
 TABLE_FORMATS = ("neurosym-primitives-1", "neurosym-primitives-2")
 """Versions of tables that can be read; since the second there may be several operators for a pair."""
-TABLE_FORMAT = TABLE_FORMATS[-1]
-"""The version of tables that are made now."""
+TABLE_FORMAT = TABLE_FORMATS[-1]  # the version of tables that are made now
 _MOST_BITS = 10  # of symbols whose unused codes are listed
 
 
@@ -91,10 +79,8 @@ def vector(values: Float[np.ndarray, "3"]) -> Vector:
 
 PROMISING: tuple[OutcomeKind, ...] = ("resting", "held", "carried")
 """How targets end that operators promise something of."""
-MIN_CHANCE = 0.1
-"""An outcome that is seen more rarely than this is not worth planning with."""
-MIN_TRIALS = 5
-"""An operator with fewer rehearsals, or rows of the data, than this is not believed."""
+MIN_CHANCE = 0.1  # an outcome that is seen more rarely than this is not worth planning with
+MIN_TRIALS = 5  # an operator with fewer rehearsals, or rows of the data, than this is not believed
 
 
 def smoothed(kept: int, trials: int) -> float:
@@ -103,29 +89,18 @@ def smoothed(kept: int, trials: int) -> float:
 
 
 class Mode(Document, frozen=True):
-    """One way that a primitive turns out on a category.
+    """One way that a primitive turns out on a category."""
 
-    Attributes:
-        kind: How the target ended: at rest upright, held in the air, on another face, or off the table.
-        count: How many rehearsals ended so, or rows of the data.
-        share: The same as a share of all trials of this primitive on this category.
-        effect: Mean displacement at the end of the rise [m].
-        spread: Standard deviation of that displacement, each axis [m].
-        resting_effect: Mean displacement once everything is put down [m].
-        resting_spread: Standard deviation of that, each axis [m].
-        peak_height: Mean of the greatest height on the way [m].
-        near_mean: How many of the `count` lie within the planning tolerance of the mean effect.
-    """
-
+    # how the target ended: at rest upright, held in the air, on another face, or off the table
     kind: OutcomeKind
-    count: Count
-    share: Share
-    effect: Effect
-    spread: Effect
-    resting_effect: Effect
-    resting_spread: Effect
-    peak_height: Length
-    near_mean: Count
+    count: Count  # how many rehearsals ended so, or rows of the data
+    share: Share  # the same as a share of all trials of this primitive on this category
+    effect: Effect  # mean displacement at the end of the rise [m]
+    spread: Effect  # standard deviation of that displacement, each axis [m]
+    resting_effect: Effect  # mean displacement once everything is put down [m]
+    resting_spread: Effect  # standard deviation of that, each axis [m]
+    peak_height: Length  # mean of the greatest height on the way [m]
+    near_mean: Count  # how many of the `count` lie within the planning tolerance of the mean effect
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -143,24 +118,16 @@ class Mode(Document, frozen=True):
         return self.spread if self.kind == "held" else self.resting_spread
 
 
-CONVERGED = 0.05
-"""Greatest mean squared error to the code of an action that counts as found."""
+CONVERGED = 0.05  # greatest mean squared error to the code of an action that counts as found
 
 
 class Primitive(Document, frozen=True, omit_defaults=True):
-    """An action symbol with distilled parameters; a symbol may have several, each with a letter of its own.
+    """An action symbol with distilled parameters; one may have several, each with a letter of its own."""
 
-    Attributes:
-        symbol: The action symbol, like "101".
-        action: The distilled action parameters.
-        code_error: Mean squared error of the action's embedding to the symbol's +-1 code.
-        variant: Which of the symbol's parameters these are: empty, or one of "a", "b" and so on.
-    """
-
-    symbol: Symbol
-    action: tuple[Length, ...]
-    code_error: float
-    variant: Variant = ""
+    symbol: Symbol  #: The action symbol, like "101"
+    action: tuple[Length, ...]  #: The distilled action parameters
+    code_error: float  #: Mean squared error of the action's embedding to the symbol's +-1 code
+    variant: Variant = ""  #: Which of the symbol's parameters these are, empty, or "a", "b" and so on
 
     @property
     def label(self) -> str:
@@ -174,21 +141,13 @@ class Primitive(Document, frozen=True, omit_defaults=True):
 
 
 class Rehearsal(Document, frozen=True, array_like=True):
-    """How a primitive turned out on one object.
+    """How a primitive turned out on one object."""
 
-    Attributes:
-        kind: How the object ended.
-        effect: Its displacement at the end of the rise [m].
-        resting_effect: Its displacement once everything is put down [m].
-        peak_height: Its greatest height on the way [m].
-        turn: By what angle it was turned in the end [rad].
-    """
-
-    kind: OutcomeKind
-    effect: Effect
-    resting_effect: Effect
-    peak_height: Length
-    turn: Length
+    kind: OutcomeKind  # how the object ended
+    effect: Effect  # its displacement at the end of the rise [m]
+    resting_effect: Effect  # its displacement once everything is put down [m]
+    peak_height: Length  # its greatest height on the way [m]
+    turn: Length  # by what angle it was turned in the end [rad]
 
     @property
     def outcome(self) -> Effect:
@@ -197,49 +156,31 @@ class Rehearsal(Document, frozen=True, array_like=True):
 
 
 class Category(Document, frozen=True, omit_defaults=True, cache_hash=True):
-    """The objects that share one object symbol.
+    """The objects that share one object symbol."""
 
-    Attributes:
-        symbol: The object symbol, like "10".
-        name: Readable name, a legal PDDL type.
-        share: Share of the sampled objects, or of the rows of the data, that fall into this category.
-        feature_means: Mean of each feature over those objects; empty if there were none.
-        feature_spreads: Standard deviation of each feature over those objects.
-        objects: Features of the objects that all its operators were rehearsed on, if that is kept.
-    """
-
-    symbol: Symbol
-    name: LegalName
-    share: Share
-    feature_means: tuple[Length, ...]
-    feature_spreads: tuple[Length, ...]
+    symbol: Symbol  #: The object symbol, like "10"
+    name: LegalName  #: Readable name, a legal PDDL type
+    share: Share  #: Share of the sampled objects, or of the rows of the data, that fall into this category
+    feature_means: tuple[Length, ...]  #: Mean of each feature over those objects; empty if there were none
+    feature_spreads: tuple[Length, ...]  #: Standard deviation of each feature over those objects
+    #: Features of the objects that all its operators were rehearsed on, if that is kept
     objects: tuple[tuple[Length, ...], ...] = ()
 
 
 class Operator(Document, frozen=True, omit_defaults=True, cache_hash=True):
-    """What one primitive does to one category.
+    """What one primitive does to one category."""
 
-    Attributes:
-        name: Readable name, a legal PDDL action name, unique in the table.
-        category: Symbol of the category.
-        primitive: Symbol of the primitive.
-        trials: How many rehearsals there were on objects as the world draws them, or rows of the data.
-        modes: The outcomes seen in these, most frequent first.
-        promised: How it promises to end; None for the most frequent of `PROMISING`.
-        variant: Which of the parameters of its primitive it is performed with.
-        rehearsals: How it turned out on each of the `objects` of its category, if that is kept: first in
-            its trials, then on objects that were chosen since it was unsure what happens to them.
-        objects: Features of the objects that it was rehearsed on, if they are others than those.
-    """
-
-    name: LegalName
-    category: Symbol
-    primitive: Symbol
-    trials: Count
-    modes: tuple[Mode, ...]
-    promised: OutcomeKind | None = None
-    variant: Variant = ""
+    name: LegalName  #: Readable name, a legal PDDL action name, unique in the table
+    category: Symbol  #: Symbol of the category
+    primitive: Symbol  #: Symbol of the primitive
+    trials: Count  #: How many rehearsals there were on objects as the world draws them, or rows of the data
+    modes: tuple[Mode, ...]  #: The outcomes seen in these, most frequent first
+    promised: OutcomeKind | None = None  #: How it promises to end; None for the most frequent of `PROMISING`
+    variant: Variant = ""  #: Which of the parameters of its primitive it is performed with
+    #: How it turned out on each of the `objects` of its category, if that is kept, first in its trials, then
+    #: on objects that were chosen since it was unsure what happens to them
     rehearsals: tuple[Rehearsal, ...] = ()
+    #: Features of the objects that it was rehearsed on, if they are others than those
     objects: tuple[tuple[Length, ...], ...] = ()
 
     @property
@@ -272,16 +213,12 @@ class Versioned(Document, frozen=True):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if said := _unreadable(type(self), self):
+        if said := self._unreadable(self):
             raise InvalidValue(said)
 
     @classmethod
     def load(cls, path: Path) -> Self:
-        """Read a document.
-
-        Raises:
-            InvalidFile: If the file is none, or of another version.
-        """
+        """Read a document; `InvalidFile` if the file is none, or of another version."""
         return cls.decoded(path, read_bytes(path, MOST_JSON))
 
     @classmethod
@@ -290,41 +227,37 @@ class Versioned(Document, frozen=True):
         try:
             return decode_json(path, content, cls, remedy)
         except InvalidFile:
-            if said := _unreadable(cls, decode_json(path, content, _Format, remedy)):
+            if said := cls._unreadable(decode_json(path, content, _Format, remedy)):
                 raise InvalidFile(path, said + remedy) from None
             raise
+
+    @classmethod
+    def _unreadable(cls, document: msgspec.Struct) -> str:
+        found = getattr(document, "format", None)
+        if found is None or not cls.readable or found in cls.readable:
+            return ""
+        known = " and ".join(map(repr, cls.readable))
+        return f"it is of the format {found!r}, and this version reads {known}"
 
 
 class _Format(msgspec.Struct, frozen=True):
     format: str | None = None
 
 
-def _unreadable(kind: type[Versioned], document: msgspec.Struct) -> str:
-    found, known = getattr(document, "format", None), kind.readable
-    if found is None or not known or found in known:
-        return ""
-    return f"it is of the format {found!r}, and this version reads {' and '.join(map(repr, known))}"
-
-
 class OperatorTable(Versioned, frozen=True, omit_defaults=True):
-    """Categories, primitives, and one operator or two for each pair of them.
+    """Categories, primitives, and one operator or two for each pair of them."""
 
-    Attributes:
-        categories: In the order of their symbols.
-        primitives: In the order of their symbols; of each symbol first the action that it shares among
-            categories, then those that are for single ones.
-        operators: By primitive, then category, the surest first; pairs that were never tried are missing. In
-            a grounding, those that promise other outcomes than the likeliest come last.
-        measured: What the modes were measured by: rehearsals of the distilled actions, or averages over the
-            rows of the data whose action has the primitive's symbol, where there is no world to rehearse in.
-        format: Version of this table.
-    """
-
-    categories: tuple[Category, ...]
+    categories: tuple[Category, ...]  #: In the order of their symbols
+    #: In the order of their symbols; of each symbol first the action that it shares among categories, then
+    #: those that are for single ones
     primitives: tuple[Primitive, ...]
+    #: By primitive, then category, the surest first; pairs that were never tried are missing. In a grounding,
+    #: those that promise other outcomes than the likeliest come last
     operators: tuple[Operator, ...]
+    #: What the modes were measured by, rehearsals of the distilled actions, or averages over the rows of the
+    #: data whose action has the primitive's symbol, where there is no world to rehearse in
     measured: Literal["rehearsal", "data"] = "rehearsal"
-    format: str = TABLE_FORMATS[0]
+    format: str = TABLE_FORMATS[0]  #: Version of this table
     readable = TABLE_FORMATS
 
     def __post_init__(self) -> None:
@@ -355,10 +288,9 @@ class OperatorTable(Versioned, frozen=True, omit_defaults=True):
     @property
     def unreached(self) -> tuple[Symbol, ...]:
         """Action symbols without a primitive, where there are few enough to list: none encodes to them."""
-        found = {primitive.symbol for primitive in self.primitives}
-        bits = len(next(iter(found), ""))
+        bits = len(next(iter(self.symbols), ""))
         codes = all_symbols(bits) if bits <= _MOST_BITS else ()
-        return tuple(code for code in codes if code not in found)
+        return tuple(code for code in codes if code not in self.symbols)
 
     @property
     def _widths(self) -> set[int]:
@@ -370,12 +302,8 @@ class OperatorTable(Versioned, frozen=True, omit_defaults=True):
 # Forward is +x (away from the robot), back is -x, left is +y. A name ends with the bits it stands for, so
 # that it is unique, and matches `[a-z][a-z0-9-]*`, so that it is legal in PDDL.
 
-CARRIED = 0.02
-"""Least height on the way of an object that was carried and not pushed [m]."""
-
-NO_EFFECT = 0.01
-"""Displacements below this are none [m]."""
-
+CARRIED = 0.02  # least height on the way of an object that was carried and not pushed [m]
+NO_EFFECT = 0.01  # displacements below this are none [m]
 _DIAGONAL = 0.5  # least share of the lesser axis in the greater that is worth a word
 _CONTRAST = 0.1  # least relative difference to the other categories that is worth a word
 _SURE = 0.75  # least share of one type that is worth a word
@@ -394,13 +322,24 @@ def name_categories(
     columns = {name: means[:, number] for number, name in enumerate(feature_names)}
     names = []
     for row, symbol in enumerate(symbols):
-        words = [_type_word(columns["t"][row]) if "t" in columns else "kind"]
+        words = ["kind"]
+        if "t" in columns:
+            share = columns["t"][row]
+            words = ["hollow" if share >= _SURE else "solid" if share <= 1 - _SURE else "any"]
         if "d" in columns:
             words.append(_contrast(columns["d"], row, "low", "tall"))
         if "s_x" in columns and "s_y" in columns:
             words.append(_contrast(columns["s_x"] + columns["s_y"], row, "narrow", "wide"))
         names.append("-".join([*filter(None, words), symbol]))
     return tuple(names)
+
+
+def _contrast(values: np.ndarray, row: int, less: str, more: str) -> str:
+    others = np.delete(values, row)
+    if not len(others) or others.mean() == 0:
+        return ""
+    ratio = values[row] / others.mean()
+    return less if ratio < 1 - _CONTRAST else more if ratio > 1 + _CONTRAST else ""
 
 
 def names_of_features(count: int, given: Sequence[str] = ()) -> tuple[str, ...]:
@@ -419,64 +358,35 @@ def counted_axes(count: int) -> str:
 
 
 def name_operator(primitive: str, category_name: str, modes: Sequence[Mode]) -> str:
-    """Name an operator by what it does: `push-left-101b-hollow-low-10`.
-
-    Args:
-        primitive: Label of the primitive.
-        category_name: Name of the category.
-        modes: The outcomes seen, most frequent first.
-    """
+    """Name an operator by what it does: `push-left-101b-hollow-low-10`."""
     promised = next((mode for mode in modes if mode.kind in PROMISING), modes[0])
     return f"{verb(promised)}-{primitive}-{category_name}"
 
 
+_VERBS = {"held": "lift", "carried": "carry-to", "missed": "miss", "lost": "throw-off", "toppled": "topple"}
+
+
 def verb(mode: Mode) -> str:
     """Say in a word or three what happened to the object: `act`, where effects are not along x, y and z."""
-    if mode.kind == "held":
-        return "lift"
-    if mode.kind in ("carried", "missed"):
-        return "carry-to" if mode.kind == "carried" else "miss"
-    if mode.kind == "lost":
-        return "throw-off"
-    if mode.kind == "toppled":
-        return "topple"
-    if len(mode.resting_effect) != 3:
-        return "act"
+    if mode.kind != "resting" or len(mode.resting_effect) != 3:
+        return _VERBS.get(mode.kind, "act")
     x, y, z = mode.resting_effect
     if np.hypot(x, y) < NO_EFFECT:
         return "stay" if abs(z) < NO_EFFECT else "raise" if z > 0 else "lower"
-    if mode.peak_height > CARRIED:
-        return f"place-{_direction(x, y)}"
-    return f"push-{_direction(x, y)}".replace("push-back", "pull")
-
-
-def _direction(x: float, y: float) -> str:
     along_x, along_y = ("forward" if x > 0 else "back"), ("left" if y > 0 else "right")
+    way = along_x if abs(x) >= abs(y) else along_y
     if min(abs(x), abs(y)) >= _DIAGONAL * max(abs(x), abs(y)):
-        return f"{along_x}-{along_y}"
-    return along_x if abs(x) >= abs(y) else along_y
-
-
-def _type_word(share_hollow: float) -> str:
-    if share_hollow >= _SURE:
-        return "hollow"
-    return "solid" if share_hollow <= 1 - _SURE else "any"
-
-
-def _contrast(values: np.ndarray, row: int, less: str, more: str) -> str:
-    others = np.delete(values, row)
-    if not len(others) or others.mean() == 0:
-        return ""
-    ratio = values[row] / others.mean()
-    return less if ratio < 1 - _CONTRAST else more if ratio > 1 + _CONTRAST else ""
+        way = f"{along_x}-{along_y}"
+    if mode.peak_height > CARRIED:
+        return f"place-{way}"
+    return f"push-{way}".replace("push-back", "pull")
 
 
 # Dots that mark the waypoints of an action in a picture, as in the paper: blue, green, red
 
 DOT_COLOURS = ((31, 98, 224), (30, 160, 70), (222, 40, 45))
 """Of waypoints 1, 2 and 3: where the motion starts, its middle, its end."""
-_RIM_COLOUR = (255, 255, 255)
-_RIM = 0.25  # width of the rim, as a share of the radius
+_RIM, _RIM_COLOUR = 0.25, (255, 255, 255)  # the rim's width, as a share of the radius, and its colour
 
 
 def draw_dots(frame: Frame, places: Float[np.ndarray, "N 2"], radius: float) -> Frame:
@@ -489,19 +399,12 @@ def draw_dots(frame: Frame, places: Float[np.ndarray, "N 2"], radius: float) -> 
     """
     picture = frame.copy()
     for number, (x, y) in enumerate(places.tolist()):
-        for reach, colour in (
-            ((1 + _RIM) * radius, _RIM_COLOUR),
-            (radius, DOT_COLOURS[number % len(DOT_COLOURS)]),
-        ):
-            _draw_disc(picture, x, y, reach, np.array(colour, dtype=np.uint8))
+        colour = DOT_COLOURS[number % len(DOT_COLOURS)]
+        for reach, paint in (((1 + _RIM) * radius, _RIM_COLOUR), (radius, colour)):
+            top, left = (max(0, math.floor(middle - reach - 1)) for middle in (y, x))
+            part = picture[top : max(0, math.ceil(y + reach + 1)), left : max(0, math.ceil(x + reach + 1))]
+            rows, columns = np.indices(part.shape[:2]) + 0.5
+            distance = np.hypot(columns + left - x, rows + top - y)
+            cover = np.clip(reach - distance + 0.5, 0, 1)[:, :, None]  # (rows, columns, 1)
+            part[:] = np.rint((1 - cover) * part + cover * np.array(paint, dtype=np.uint8))
     return picture
-
-
-def _draw_disc(picture: Frame, x: float, y: float, radius: float, colour: UInt8[np.ndarray, "3"]) -> None:
-    """Draw a disc into a picture, each pixel covered by as much of it as lies inside."""
-    top, left = (max(0, math.floor(middle - radius - 1)) for middle in (y, x))
-    part = picture[top : max(0, math.ceil(y + radius + 1)), left : max(0, math.ceil(x + radius + 1))]
-    rows, columns = np.indices(part.shape[:2]) + 0.5
-    distance = np.hypot(columns + left - x, rows + top - y)
-    cover = np.clip(radius - distance + 0.5, 0, 1)[:, :, None]  # (rows, columns, 1)
-    part[:] = np.rint((1 - cover) * part + cover * colour)

@@ -22,32 +22,23 @@ from neurosym.operators import (
     Share,
     Symbol,
     Variant,
+    Vector,
     Versioned,
     smoothed,
+    vector,
 )
 from neurosym.world import Scene
 
-# The table of operators that carry objects to places, beside that of displacements.
-#
-# What such an operator promises is where its object stands relative to the place.
-
 PLACES_FORMAT = "neurosym-places-1"
-NEVER_CARRIES = "never carries"
-"""Why an operator is not in the domain."""
+NEVER_CARRIES = "never carries"  # why an operator is not in the domain
 
 
 class Kept(Document, frozen=True):
-    """How an operator turned out where there were other objects.
+    """How an operator turned out where there were other objects."""
 
-    Attributes:
-        name: Name of the operator.
-        trials: How many rehearsals there were.
-        kept: How many ended as promised, on the table, with nothing else moved.
-    """
-
-    name: LegalName
-    trials: Count
-    kept: Count
+    name: LegalName  # name of the operator
+    trials: Count  # how many rehearsals there were
+    kept: Count  # how many ended as promised, on the table, with nothing else moved
 
     @property
     def share(self) -> float:
@@ -58,37 +49,26 @@ class Kept(Document, frozen=True):
 Company = Literal["occupied", "beside", "borne", "laden"]
 """What others there are where an operator is performed: one on the place or the reference, some close around
 the object, one that bears the object, or one that rests on it."""
-Case = frozenset[Company]
-"""The company that there is, if any."""
-LEAST_SHARE = 0.5
-"""Where a third object leaves less than this of what is usual, it is forbidden."""
+Case = frozenset[Company]  # the company that there is, if any
+_OF_PAIRS: tuple[Company, ...] = ("borne", "occupied", "laden")
+LEAST_SHARE = 0.5  # where a third object leaves less than this of what is usual, it is forbidden
 
 
 def case_of(borne: bool, occupied: bool, laden: bool) -> Case:
     """Return the case of a pair: a third object bears the target, is on the reference, or on the target."""
-    ways: tuple[Company, ...] = ("borne", "occupied", "laden")
-    return frozenset(compress(ways, (borne, occupied, laden)))
+    return frozenset(compress(_OF_PAIRS, (borne, occupied, laden)))
 
 
 class PlaceOperators(Versioned, frozen=True):
-    """Operators that carry objects to places.
+    """Operators that carry objects to places, and promise where these stand relative to the place."""
 
-    The last two tables are there where objects bear one another.
-
-    Attributes:
-        operators: What each primitive does to each category; effects are relative to the place.
-        occupied: How they turned out where another object stood on the place.
-        beside: How they turned out where others stood close around the object.
-        format: Version of this table.
-        borne: How they turned out where the object rested on another one.
-        laden: How they turned out where another one rested on the object; kept if that went along.
-    """
-
-    operators: OperatorTable
-    occupied: tuple[Kept, ...] = ()
-    beside: tuple[Kept, ...] = ()
-    format: str = PLACES_FORMAT
+    operators: OperatorTable  # what each primitive does to each category; effects are relative to the place
+    occupied: tuple[Kept, ...] = ()  # how they turned out where another object stood on the place
+    beside: tuple[Kept, ...] = ()  # how they turned out where others stood close around the object
+    format: str = PLACES_FORMAT  # version of this table
+    # how they turned out where the object rested on another one
     borne: tuple[Kept, ...] | msgspec.UnsetType = msgspec.UNSET
+    # how they turned out where another one rested on the object; kept if that went along
     laden: tuple[Kept, ...] | msgspec.UnsetType = msgspec.UNSET
     readable = (PLACES_FORMAT,)
 
@@ -97,11 +77,6 @@ class PlaceOperators(Versioned, frozen=True):
         tables = (self.occupied, self.beside, self.borne, self.laden)
         rows = zip(get_args(Company), tables, strict=True)
         return {how: one for how, table in rows for one in table or () if one.name == name}
-
-    def takes(self, name: str, how: Company) -> bool:
-        """Say whether an operator is planned with in company; untried, it takes what another object bears."""
-        kept = self.company(name).get(how)
-        return kept.share >= LEAST_SHARE if kept and kept.trials else how == "borne"
 
 
 # How one object stands to another, in numbers that do not depend on how large the two are.
@@ -114,25 +89,15 @@ DESCRIPTION = ("away", "above", "touching", "tilted", "reference tilted")
 """What the numbers of a description are. Along x or y, whichever is more, the target is so far away from the
 reference; along z it is so far above it [touching units]. They touch or not; and the target and the reference
 are tilted by so much, as shares of the greatest tilt that counts."""
-FARTHEST = 2.5
-"""Farther apart than this objects have nothing to do with one another [touching units]."""
-STEEPEST = 0.35
-"""The tilt of an object counts up to this [rad]."""
-LEANING = 0.4
-"""What is tilted by more than this share of `STEEPEST` leans."""
+FARTHEST = 2.5  # farther apart than this objects have nothing to do with one another [touching units]
+STEEPEST = 0.35  # the tilt of an object counts up to this [rad]
+LEANING = 0.4  # what is tilted by more than this share of `STEEPEST` leans
 
 
 def describe_pair(
     scene: Scene, target: int, reference: int, contacts: tuple[tuple[int, int], ...]
 ) -> Float[np.ndarray, "5"]:
-    """Describe how a target stands to a reference, in the numbers of `DESCRIPTION`.
-
-    Args:
-        scene: The objects, at rest.
-        target: Index of the one.
-        reference: Index of the other.
-        contacts: Pairs of objects that touch, each with the smaller index first.
-    """
+    """Describe how a target stands to a reference, by their indices, in the numbers of `DESCRIPTION`."""
     units = touching_units(scene, target, reference)
     away = min(float(np.abs(units[:2]).max()), FARTHEST)
     up = np.clip(units[2], -FARTHEST, FARTHEST)
@@ -185,28 +150,19 @@ ALIKE = 4
 SELDOM = 0.03
 """An operator promises a state if this share of its kind's pairs or more ends so, besides the most frequent
 state. With some of them it may be foreseen to do so surely."""
-ANY_KIND = ""
-"""What stands for the kind of pairs where an operator is for pairs of any kind."""
+ANY_KIND = ""  # what stands for the kind of pairs where an operator is for pairs of any kind
 Description = Annotated[tuple[Length, ...], msgspec.Meta(min_length=5, max_length=5)]
 """How a target stands to a reference, as numbers; see `neurosym.pair_operators.describe_pair`."""
 
 
 class PairState(Document, frozen=True):
-    """One way in which a target stands to a reference.
+    """One way in which a target stands to a reference."""
 
-    Attributes:
-        symbol: The code, like "010".
-        name: Readable name, a legal PDDL predicate.
-        centre: The description that is typical of it: a pair has the state whose centre is nearest.
-        share: Share of the pairs in fresh scenes, whose objects nobody has touched, that are in it.
-        bears: Whether the reference bears the target: fresh pairs are never so, and actions make them so.
-    """
-
-    symbol: Symbol
-    name: LegalName
-    centre: Description
-    share: Share
-    bears: bool
+    symbol: Symbol  # the code, like "010"
+    name: LegalName  # readable name, a legal PDDL predicate
+    centre: Description  # the description that is typical of it: a pair has the state whose centre is nearest
+    share: Share  # share of the pairs in fresh scenes, whose objects nobody has touched, that are in it
+    bears: bool  # whether the reference bears the target: fresh pairs are never so, and actions make them so
 
     @property
     def leans(self) -> bool:
@@ -215,14 +171,11 @@ class PairState(Document, frozen=True):
 
 
 class PairStates(Versioned, frozen=True):
-    """The states that pairs of objects can be in.
+    """The states that pairs of objects can be in."""
 
-    Attributes:
-        states: In the order of their symbols; those that were seen.
-        scales: What each number of a description is divided by before distances to centres are taken.
-    """
-
+    # in the order of their symbols; those that were seen
     states: Annotated[tuple[PairState, ...], msgspec.Meta(min_length=1)]
+    # what each number of a description is divided by before distances to centres are taken
     scales: Description
 
     @property
@@ -255,49 +208,28 @@ class PairStates(Versioned, frozen=True):
 
 
 class PairEnd(Document, frozen=True):
-    """One way in which an operator turns out on pairs of a kind.
+    """One way in which an operator turns out on pairs of a kind."""
 
-    Attributes:
-        state: Code of the state that the pair ends in; empty if the target was not carried there.
-        count: How many rehearsals ended so, with nothing else moved.
-        share: The same as a share of all rehearsals.
-        offset: Mean position of the target relative to the reference, in sums of their half sizes.
-        spread: Standard deviation of that, each axis.
-    """
-
-    state: str
-    count: Count
-    share: Share
-    offset: tuple[Length, Length, Length]
-    spread: tuple[Length, Length, Length]
+    state: str  # code of the state that the pair ends in; empty if the target was not carried there
+    count: Count  # how many rehearsals ended so, with nothing else moved
+    share: Share  # the same as a share of all rehearsals
+    offset: Vector  # mean position of the target relative to the reference, in sums of their half sizes
+    spread: Vector  # standard deviation of that, each axis
 
 
 class RelationOperator(Document, frozen=True):
-    """What one primitive does to pairs of one kind.
+    """What one primitive does to pairs of one kind."""
 
-    Attributes:
-        name: Readable name, a legal PDDL action name, unique in the table.
-        pair: Code of the kind of pair, or `ANY_KIND`.
-        primitive: Symbol of the primitive.
-        trials: How many rehearsals there were.
-        ends: What was seen in these, most frequent first.
-        borne: How it turned out where the target rested on a third object at first.
-        occupied: How it turned out where a third object rested on the reference.
-        laden: How it turned out where a third object rested on the target; kept if that went along.
-        variant: Which of the parameters of its primitive it is performed with.
-        promised: Code of the state that it promises, where that is not the most frequent one.
-    """
-
-    name: LegalName
-    pair: Annotated[str, msgspec.Meta(pattern=r"\A[01]{0,64}\Z")]
-    primitive: Symbol
-    trials: Count
-    ends: tuple[PairEnd, ...]
-    borne: Kept
-    occupied: Kept
-    laden: Kept
-    variant: Variant = ""
-    promised: str = ""
+    name: LegalName  # readable name, a legal PDDL action name, unique in the table
+    pair: Annotated[str, msgspec.Meta(pattern=r"\A[01]{0,64}\Z")]  # code of the kind of pair, or `ANY_KIND`
+    primitive: Symbol  # symbol of the primitive
+    trials: Count  # how many rehearsals there were
+    ends: tuple[PairEnd, ...]  # what was seen in these, most frequent first
+    borne: Kept  # how it turned out where the target rested on a third object at first
+    occupied: Kept  # how it turned out where a third object rested on the reference
+    laden: Kept  # how it turned out where a third object rested on the target; kept if that went along
+    variant: Variant = ""  # which of the parameters of its primitive it is performed with
+    promised: str = ""  # code of the state that it promises, where that is not the most frequent one
 
     @property
     def label(self) -> str:
@@ -307,7 +239,7 @@ class RelationOperator(Document, frozen=True):
     @property
     def company(self) -> dict[Company, Kept]:
         """How it turned out among others."""
-        return {"borne": self.borne, "occupied": self.occupied, "laden": self.laden}
+        return {how: getattr(self, how) for how in _OF_PAIRS}
 
     @property
     def case(self) -> tuple[str, ...]:
@@ -330,28 +262,18 @@ class RelationOperator(Document, frozen=True):
 
     @property
     def promise(self) -> PairEnd | None:
-        """The end in the state that it promises, or else the most frequent one of those it was carried to.
-
-        None if it was never carried to the reference.
-        """
-        carried = (end for end in self.ends if end.state)
-        return next((end for end in carried if self.promised in ("", end.state)), None)
+        """The end in the state that it promises, or else the most frequent; None if it never gets there."""
+        return next((end for end in self.ends if end.state and self.promised in ("", end.state)), None)
 
 
 class RelationOperators(PairStates, frozen=True, cache_hash=True):
-    """States and kinds of pairs, and operators on them.
+    """States and kinds of pairs, and operators on them."""
 
-    Attributes:
-        pairs: Kinds of pairs, in the order of their symbols; features of the target come first.
-        primitives: In the order of their symbols.
-        operators: By primitive, then kind of pair.
-        format: Version of this table.
-    """
-
+    # kinds of pairs, in the order of their symbols; features of the target come first
     pairs: tuple[Category, ...]
-    primitives: tuple[Primitive, ...]
-    operators: tuple[RelationOperator, ...]
-    format: str = RELATIONS_FORMAT
+    primitives: tuple[Primitive, ...]  # in the order of their symbols
+    operators: tuple[RelationOperator, ...]  # by primitive, then kind of pair
+    format: str = RELATIONS_FORMAT  # version of this table
     readable = (RELATIONS_FORMAT,)
 
     @property
@@ -369,14 +291,9 @@ class RelationOperators(PairStates, frozen=True, cache_hash=True):
         return next(one for one in self.primitives if one.label == operator.label)
 
     def state_named(self, name: str) -> PairState:
-        """Return the state of that name or symbol.
-
-        Raises:
-            UnknownChoice: If there is none.
-        """
-        for state in self.states:
-            if name in (state.name, state.symbol):
-                return state
+        """Return the state of that name or symbol; `UnknownChoice` if there is none."""
+        if found := next((state for state in self.states if name in (state.name, state.symbol)), None):
+            return found
         raise UnknownChoice("state of a pair", name, (state.name for state in self.states))
 
     def state_meant(self, word: str) -> PairState:
@@ -421,8 +338,7 @@ def _why_worthless(operator: RelationOperator, table: RelationOperators) -> str 
     return None
 
 
-# Operators for pairs of any kind: what a primitive does, over all kinds of pairs that it was rehearsed
-# with.
+# Operators for pairs of any kind: what a primitive does, over all kinds of pairs that it was rehearsed with.
 #
 # A kind gets no operator for what few of its pairs allow. Yet with some of them a primitive that was chosen
 # for another kind is foreseen to do it. So each primitive has an operator for pairs of any kind, for each
@@ -443,8 +359,6 @@ as the second says, or more.
 Measured by the same command: of 40 pairs with which 10 to 20 % was foreseen, an action written by hand put 12
 in, and what was foreseen 4. With less, the action by hand put in 2 of 40.
 """
-
-
 FAINT, FAINTEST = 0.02, 4
 """Where nothing is foreseen more surely than `LEAST`, a problem keeps so many operators for the state that
 are foreseen as surely as the first number or more. They serve goals only: whoever asks for something may know
@@ -454,9 +368,9 @@ that it can be done."""
 @lru_cache(maxsize=8)
 def pooled(table: RelationOperators) -> tuple[RelationOperator, ...]:
     """Make of each primitive's operators for the same state one for pairs of any kind."""
-    found, straight = dict[tuple[str, str], list[tuple[RelationOperator, PairEnd]]](), table.straight
+    found = dict[tuple[str, str], list[tuple[RelationOperator, PairEnd]]]()
     for one in table.operators:
-        if one.promise is not None and one.promise.state in straight:
+        if one.promise is not None and one.promise.state in table.straight:
             found.setdefault((one.label, one.promise.state), []).append((one, one.promise))
     return tuple(
         _pooled(f"{table.state_named(state).name}-by-{label}", rows) for (label, state), rows in found.items()
@@ -470,26 +384,23 @@ def _pooled(name: str, rows: list[tuple[RelationOperator, PairEnd]]) -> Relation
     offsets, spreads = (np.array([getattr(end, what) for _, end in rows]) for what in ("offset", "spread"))
     mean = weights @ offsets
     spread = np.sqrt(weights @ (spreads**2 + (offsets - mean) ** 2))
+
+    def kept(how: Company) -> Kept:
+        every = [one.company[how] for one, _ in rows]
+        return Kept(name, sum(one.trials for one in every), sum(one.kept for one in every))
+
+    where = vector(mean.round(4)), vector(spread.round(4))
     return RelationOperator(
         name,
         ANY_KIND,
         first.primitive,
         trials,
-        (PairEnd(end.state, count, count / trials, _three(mean), _three(spread)),),
-        borne=_sum(name, [one.borne for one, _ in rows]),
-        occupied=_sum(name, [one.occupied for one, _ in rows]),
+        (PairEnd(end.state, count, count / trials, *where),),
+        borne=kept("borne"),
+        occupied=kept("occupied"),
         laden=Kept(name, 0, 0),
         variant=first.variant,
     )
-
-
-def _sum(name: str, rows: list[Kept]) -> Kept:
-    return Kept(name, sum(one.trials for one in rows), sum(one.kept for one in rows))
-
-
-def _three(values: np.ndarray) -> tuple[float, float, float]:
-    x, y, z = (round(float(value), 4) for value in values)
-    return x, y, z
 
 
 def share_with_any(foreseen: float) -> float | None:

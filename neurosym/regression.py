@@ -34,19 +34,13 @@ _LEAST_SPREAD = 1e-3
 
 
 class Choice(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields=True):
-    """What a fit chooses, each among few.
+    """What a fit chooses, each among few."""
 
-    Attributes:
-        length: Over what distance outcomes change, in spreads of the features.
-        noise: Variance that features do not explain, of that they do.
-        deciding: By what features are multiplied, to tell for which objects promises are kept.
-        neighbours: How many objects near by tell that.
-    """
-
-    length: float
-    noise: float
+    length: float  # over what distance outcomes change, in spreads of the features
+    noise: float  # variance that features do not explain, of that they do
+    # by what features are multiplied, to tell for which objects promises are kept
     deciding: tuple[float, ...]
-    neighbours: int
+    neighbours: int  # how many objects near by tell that
 
     def is_one_of_ours(self, features: int) -> bool:
         """Say whether a fit to objects of so many features can come to this."""
@@ -56,41 +50,24 @@ class Choice(msgspec.Struct, frozen=True, array_like=True, forbid_unknown_fields
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Regression:
-    """A Gaussian process from features to outcomes, fitted to the rehearsals that ended as promised.
+    """A Gaussian process from features to outcomes, fitted to the rehearsals that ended as promised."""
 
-    Attributes:
-        centre: What features are counted from.
-        scale: What they are divided by.
-        objects: Scaled features of all objects.
-        is_kind: Which of them ended as promised: those that it is fitted to.
-        misses: By how much the others' prediction missed each of these, each column [m].
-        ends: The columns that say where the object ends.
-        mean: Mean outcome [m].
-        deviation: Standard deviation of each column of the outcomes [m].
-        low: The least outcomes.
-        high: The greatest.
-        choice: What was chosen by what is likeliest.
-        weights: What each object counts in a prediction.
-    """
-
-    centre: Float[np.ndarray, "F"]
-    scale: Float[np.ndarray, "F"]
-    objects: Float[np.ndarray, "N F"]
-    is_kind: Bool[np.ndarray, "N"]
+    centre: Float[np.ndarray, "F"]  # what features are counted from
+    scale: Float[np.ndarray, "F"]  # what they are divided by
+    objects: Float[np.ndarray, "N F"]  # scaled features of all objects
+    is_kind: Bool[np.ndarray, "N"]  # which of them ended as promised: those that it is fitted to
+    outcomes: Float[np.ndarray, "n D"]  # outcomes of these [m]
+    # by how much the others' prediction missed each of these, each column [m]
     misses: Float[np.ndarray, "n D"]
-    ends: slice
-    mean: Float[np.ndarray, "D"]
-    deviation: Float[np.ndarray, "D"]
-    low: Float[np.ndarray, "D"]
-    high: Float[np.ndarray, "D"]
-    choice: Choice
-    weights: Float[np.ndarray, "n D"]
+    choice: Choice  # what was chosen by what is likeliest
+    weights: Float[np.ndarray, "n D"]  # what each object counts in a prediction
 
     def predict(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
         """Predict the outcome for scaled features, within what was seen [m]."""
-        near = _likeness(self.objects[self.is_kind], at[None], self.choice.length)[:, 0]
-        value = self.mean + self.deviation * (near @ self.weights)
-        return np.asarray(np.clip(value, self.low, self.high))
+        near = _alike(_apart(self.objects[self.is_kind], at[None]), self.choice.length)[:, 0]
+        mean, deviation = _mean_and_deviation(self.outcomes)
+        value = mean + deviation * (near @ self.weights)
+        return np.asarray(np.clip(value, self.outcomes.min(0), self.outcomes.max(0)))
 
     def chance(self, at: Float[np.ndarray, "F"], tolerance: float) -> float:
         """Estimate how often an object of such features ends as promised, within a tolerance of it [m]."""
@@ -104,13 +81,13 @@ class Regression:
     def spreads(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
         """Estimate by how much predictions for such objects miss where the promise is kept, RMS [m]."""
         kept = self.keeps(TOLERANCE).astype(float)
-        near = _likeness(self.objects[self.is_kind], at[None], _LIKE)[:, 0]
+        near = _alike(_apart(self.objects[self.is_kind], at[None]), _LIKE)[:, 0]
         weights = near * kept + _PRIOR * kept / max(kept.sum(), 1.0) + 1e-12
         return np.asarray(np.sqrt(weights @ self.misses**2 / weights.sum()))
 
     def keeps(self, tolerance: float) -> Bool[np.ndarray, "n"]:
         """Say which of those that it is fitted to the others predict within a tolerance [m]."""
-        return np.asarray(np.linalg.norm(self.misses[:, self.ends], axis=1) <= tolerance)
+        return _keeps(self.misses, tolerance)
 
 
 def fit(
@@ -134,30 +111,29 @@ def fit(
         known = None
     centre = features.mean(0)
     objects = (features - centre) / scale
-    mean, deviation = outcomes.mean(0), np.maximum(outcomes.std(0), _LEAST_SPREAD)
+    mean, deviation = _mean_and_deviation(outcomes)
     scaled = (outcomes - mean) / deviation
     lengths, noises = ((known.length,), (known.noise,)) if known else (_LENGTHS, _NOISES)
     length, noise, vectors, values = _most_likely(objects[is_kind], scaled, lengths, noises)
     weights = vectors @ (vectors.T @ scaled / values[:, None])
-    left_out = weights / (vectors**2 / values).sum(1)[:, None] * deviation  # eq. 5.12
-    ends = slice(2, 5) if outcomes.shape[1] > 2 else slice(0, 2)
+    misses = weights / (vectors**2 / values).sum(1)[:, None] * deviation  # eq. 5.12
     kept = np.zeros(len(objects))
-    kept[is_kind] = np.linalg.norm(left_out[:, ends], axis=1) <= TOLERANCE
+    kept[is_kind] = _keeps(misses, TOLERANCE)
     deciding, neighbours = (known.deciding, known.neighbours) if known else _deciding(objects, kept)
-    return Regression(
-        centre=centre,
-        scale=scale,
-        objects=objects,
-        is_kind=is_kind,
-        misses=left_out,
-        ends=ends,
-        mean=mean,
-        deviation=deviation,
-        low=outcomes.min(0),
-        high=outcomes.max(0),
-        choice=Choice(length, noise, deciding, neighbours),
-        weights=weights,
-    )
+    choice = Choice(length, noise, deciding, neighbours)
+    return Regression(centre, scale, objects, is_kind, outcomes, misses, choice, weights)
+
+
+def _mean_and_deviation(
+    outcomes: Float[np.ndarray, "n D"],
+) -> tuple[Float[np.ndarray, "D"], Float[np.ndarray, "D"]]:
+    return outcomes.mean(0), np.maximum(outcomes.std(0), _LEAST_SPREAD)
+
+
+def _keeps(misses: Float[np.ndarray, "n D"], tolerance: float) -> Bool[np.ndarray, "n"]:
+    """Say which predictions of where an object ends, in the air if held, miss by a tolerance at most."""
+    ends = misses[:, 2:5] if misses.shape[1] > 2 else misses
+    return np.asarray(np.linalg.norm(ends, axis=1) <= tolerance)
 
 
 @one_thread()
@@ -183,10 +159,8 @@ def _most_likely(
         likelihoods = -0.5 * (len(objects) * np.log(variance).sum(1) + columns * np.log(every).sum(1))
         likeliest = int(likelihoods.argmax())
         if likelihoods[likeliest] > best:
-            best, found = (
-                float(likelihoods[likeliest]),
-                (length, noises[likeliest], vectors, every[likeliest]),
-            )
+            best = float(likelihoods[likeliest])
+            found = length, noises[likeliest], vectors, every[likeliest]
     assert found is not None, "outcomes are finite"
     return found
 
@@ -198,10 +172,6 @@ def _deciding(
 
     A hand closes over what is narrow, however long it is. All features count alike, or none if they say
     nothing, unless few of them say clearly more.
-
-    Args:
-        objects: Scaled features of all objects.
-        kept: For which of them the promise was kept.
 
     Returns:
         By what features are multiplied, and how many of the nearest objects tell.
@@ -233,12 +203,7 @@ def _metrics(features: int) -> tuple[Float[np.ndarray, "F"], ...]:
 
 
 def _nearest(apart: Float[np.ndarray, "N M"], neighbours: Sequence[int]) -> Float[np.ndarray, "K M"]:
-    """Return how far the last of so many nearest objects is, for each of several numbers of them.
-
-    Args:
-        apart: How far each object is from those that it is asked for; infinite if it does not count.
-        neighbours: How many objects; fewer where no more count.
-    """
+    """Return how far the last of so many nearest objects is, of those at a finite distance."""
     counting = int(np.isfinite(apart).sum(0).min(initial=len(apart)))
     last = [min(number, counting) - 1 for number in neighbours]
     return np.asarray(np.partition(apart, last, axis=0)[last])
@@ -247,26 +212,14 @@ def _nearest(apart: Float[np.ndarray, "N M"], neighbours: Sequence[int]) -> Floa
 def _chances(
     apart: Float[np.ndarray, "N M"], kept: Float[np.ndarray, "N"], last: Float[np.ndarray, "M"]
 ) -> Float[np.ndarray, "M"]:
-    """Estimate by the nearest objects how often a promise is kept.
-
-    Args:
-        apart: How far each object is from those that it is estimated for; infinite if it does not count.
-        kept: For which objects the promise was kept.
-        last: How far the last is of those that tell.
-    """
+    """Estimate how often a promise is kept, by objects about as far `apart` as the `last` that tells."""
     within = _WITHIN * np.maximum(last, 1e-6)
     near = np.exp(-(apart**2) / (2 * within**2))
     return np.asarray((kept @ near + _RATE * kept.mean()) / (near.sum(0) + _RATE))
 
 
-def _likeness(
-    ones: Float[np.ndarray, "n F"], others: Float[np.ndarray, "m F"], length: float
-) -> Float[np.ndarray, "n m"]:
-    """Compute the squared-exponential kernel."""
-    return _alike(_apart(ones, others), length)
-
-
 def _alike(apart: Float[np.ndarray, "n m"], length: float) -> Float[np.ndarray, "n m"]:
+    """Compute the squared-exponential kernel."""
     return np.asarray(np.exp(-(apart**2) / (2 * length**2)))
 
 
@@ -281,8 +234,7 @@ def _apart(ones: Float[np.ndarray, "n F"], others: Float[np.ndarray, "m F"]) -> 
 # rest follows in no time. So that is what the file holds, with the digest of the grounding that it was
 # found for. Where it is missing, damaged, or of another grounding, it is sought anew.
 
-NAME = "fits.json"
-"""What the file is called, beside the grounding."""
+NAME = "fits.json"  # what the file is called, beside the grounding
 FORMAT = "neurosym-fits-1"
 _MOST = 64 * MEGABYTE
 _found: dict[str, tuple[Operator, Category | None, Choice]] = {}  # for the grounding that was read last
@@ -295,12 +247,7 @@ class _Fits(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def save_fits(grounding_file: Path, choices: Mapping[str, Choice]) -> None:
-    """Write what was found beside a grounding.
-
-    Args:
-        grounding_file: The grounding; it is there, or will be when `Drafts` are put in place.
-        choices: What was found for its operators, by name.
-    """
+    """Write what was found for operators, by name, beside a grounding that is there or a draft."""
     (digest,) = digests({NAME: grounding_file}).values()
     write_json(grounding_file.with_name(NAME), _Fits(FORMAT, digest, dict(sorted(choices.items()))))
 
@@ -308,14 +255,7 @@ def save_fits(grounding_file: Path, choices: Mapping[str, Choice]) -> None:
 def remember_fits(
     grounding_file: Path, content: bytes, operators: Iterable[Operator], categories: Iterable[Category]
 ) -> None:
-    """Read what was found for a grounding, if that is known.
-
-    Args:
-        grounding_file: Where the grounding was read.
-        content: What it was read from.
-        operators: Its operators.
-        categories: Its categories.
-    """
+    """Read what was found for the operators of a grounding, which was read from a file of such content."""
     _found.clear()
     path = grounding_file.with_name(NAME)
     try:
@@ -331,11 +271,6 @@ def remember_fits(
 
 
 def found_for(operator: Operator, category: Category) -> Choice | None:
-    """Return what fitting an operator's rehearsals came to, if it is known.
-
-    Args:
-        operator: The operator; what is known is of one that is the same in everything.
-        category: Its category; likewise.
-    """
+    """Return what fitting an operator's rehearsals came to, if it is known of one that is wholly the same."""
     *known, choice = _found.get(operator.name, (None, None, None))
     return choice if known == [operator, category] else None

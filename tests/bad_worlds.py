@@ -1,6 +1,5 @@
 """Worlds that do wrong, each in one way, whenever the first object is tall; imported by name in tests."""
 
-import ctypes
 import os
 import signal
 import sys
@@ -44,11 +43,6 @@ def killed(_):
     os.kill(os.getpid(), signal.SIGKILL)
 
 
-def crashed(_):
-    signal.signal(signal.SIGSEGV, signal.SIG_DFL)
-    ctypes.string_at(0)
-
-
 def hanging(_):
     time.sleep(60)
 
@@ -59,7 +53,6 @@ DEEDS = {
     "leaving": leaving,
     "gone": gone,
     "killed": killed,
-    "crashed": crashed,
     "hanging": hanging,
     "nothing": lambda _: None,
     "nan": lambda made: replace(made, positions=made.positions * np.nan),

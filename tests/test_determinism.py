@@ -3,6 +3,7 @@
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import pybullet
@@ -15,35 +16,29 @@ from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
 from neurosym.worlds.workers import Task, perform_all
 
-OBJECTS = 3
+COUNT = 8
 
 
-def some_tasks(count, seed=5, objects=OBJECTS):
+def some_tasks(count, seed=5, objects=3):
     world = Tabletop()
     generators = [np.random.default_rng([seed, number]) for number in range(count)]
     return [Task(world.sample_scene(rng, objects), world.action_box.sample(rng, 1)[0]) for rng in generators]
 
 
-def bytes_of(outcomes):
-    scenes = [(outcome.start, outcome.lifted, outcome.end) for outcome in outcomes]
+def performed(tasks, workers=1):
+    """The bytes of where all ends, for each task."""
+    triples = [(one.start, one.lifted, one.end) for one in perform_all(Tabletop, tasks, workers)]
     return [
         b"".join(scene.positions.tobytes() + scene.orientations.tobytes() for scene in triple)
-        for triple in scenes
+        for triple in triples
     ]
 
 
-def performed(tasks, workers=1):
-    return bytes_of(perform_all(Tabletop, tasks, workers))
-
-
-def test_workers_and_order_do_not_matter():
-    tasks = some_tasks(20)
+def test_workers_and_order_do_not_matter_but_to_a_careless_set_up(monkeypatch):
+    tasks = some_tasks(COUNT)
     forward = performed(tasks)
-    assert performed(tasks[:12], workers=2) == performed(tasks[:12], workers=3) == forward[:12]
+    assert performed(tasks[:6], workers=2) == performed(tasks[:6], workers=3) == forward[:6]
     assert performed(tasks[::-1])[::-1] == forward
-
-
-def test_order_matters_once_the_deterministic_set_up_is_switched_off(monkeypatch):
     monkeypatch.setattr(Simulation, "_reset", reset_carelessly)
     tasks = some_tasks(20)
     assert performed(tasks) != performed(tasks[::-1])[::-1]
@@ -63,19 +58,18 @@ def reset_carelessly(simulation):
     pybullet.setGravity(0, 0, -9.81, physicsClientId=client)
 
 
-FRESH = """
-import sys
-sys.path.insert(0, {tests!r})
-from test_determinism import performed, some_tasks
-sys.stdout.buffer.write(b"".join(performed(some_tasks(5))))
-"""
+def elsewhere(body: str, *arguments: object) -> list[str]:
+    """A command that runs lines of this module in a fresh process."""
+    head = f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r})\nfrom test_determinism import *\n"
+    lines = "".join(f"    {line}\n" for line in body.splitlines())
+    return [sys.executable, "-c", f"{head}if __name__ == '__main__':\n{lines}", *map(str, arguments)]
 
 
-@pytest.mark.parametrize("others", [40, pytest.param(500, marks=pytest.mark.evaluation)])
-def test_a_fresh_process_and_a_used_one_give_the_same_bytes(others, request):
-    script = FRESH.format(tests=str(request.path.parent))
-    fresh = subprocess.run([sys.executable, "-c", script], capture_output=True, check=True).stdout
-    used = performed(some_tasks(others, seed=6, objects=1) + some_tasks(5))
+@pytest.mark.parametrize("others", [20, pytest.param(500, marks=pytest.mark.evaluation)])
+def test_a_fresh_process_and_a_used_one_give_the_same_bytes(others):
+    command = elsewhere("sys.stdout.buffer.write(b''.join(performed(some_tasks(3))))")
+    fresh = subprocess.run(command, capture_output=True, check=True).stdout
+    used = performed(some_tasks(others, seed=6, objects=1) + some_tasks(3))
     assert b"".join(used[others:]) == fresh
 
 
@@ -91,25 +85,15 @@ def explored(folder, steps, **options):
     return (folder / "interactions.npz").read_bytes()
 
 
-KILLED = """
-import sys
-from pathlib import Path
-sys.path.insert(0, {tests!r})
-from test_determinism import explored
-if __name__ == "__main__":
-    explored(Path(sys.argv[1]), 10_000, workers=2, checkpoint=Path(sys.argv[1]))
-"""
-
-
-def test_a_killed_exploration_of_the_tabletop_resumes_to_the_same_bytes(tmp_path, request):
-    script = tmp_path / "killed.py"
-    script.write_text(KILLED.format(tests=str(request.path.parent)))
-    process = subprocess.Popen([sys.executable, script, tmp_path], stderr=subprocess.DEVNULL)
-    deadline = time.monotonic() + 60
+def test_a_killed_exploration_of_the_tabletop_resumes_to_the_same_bytes(tmp_path):
+    work = "explored(Path(sys.argv[1]), 10_000, workers=2, checkpoint=Path(sys.argv[1]))"
+    command = elsewhere(work, tmp_path)
+    process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
+    deadline = time.monotonic() + 120
     while not (tmp_path / STATE_FILE).exists() and time.monotonic() < deadline:
         time.sleep(0.05)
     process.kill()
     process.wait()
     done = len(np.load(tmp_path / "interactions.partial.npz")["features"])
-    resumed = explored(tmp_path, done + 20, checkpoint=tmp_path)
-    assert resumed == explored(tmp_path, done + 20)
+    resumed = explored(tmp_path, done + 8, checkpoint=tmp_path)
+    assert resumed == explored(tmp_path, done + 8)

@@ -1,14 +1,32 @@
-"""A file is written whole or not at all, and nothing else is left."""
+"""Files are written whole or not at all, drafts are put in place together, and one process holds a lock."""
 
 import errno
+import inspect
 import io
 import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from contextvars import copy_context
 from pathlib import Path
+from types import FrameType
 
 import pytest
 
+from neurosym import files
 from neurosym.errors import CannotWrite, InvalidFile
-from neurosym.files import check_writable, make_folder, write_atomically, write_new
+from neurosym.files import (
+    Drafts,
+    at_once,
+    check_writable,
+    digests,
+    make_folder,
+    remove,
+    remove_leftovers,
+    write_atomically,
+    write_new,
+)
 
 
 def test_a_file_that_cannot_be_put_in_place_leaves_nothing_behind(tmp_path: Path):
@@ -94,3 +112,191 @@ def test_new_file_is_written_once_and_kept_if_another_writes_it_meanwhile(
         assert write_new(tmp_path / "a", "1") is (kept == "1")
     assert not write_new(tmp_path / "a", "3")
     assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a", kept)]
+
+
+def names(folder: Path) -> list[str]:
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_drafts_change_nothing_until_they_are_put_in_place(tmp_path: Path):
+    old, new, gone = places = [tmp_path / name for name in ("old", "new", "gone")]
+    old.write_text("1")
+    gone.write_text("2")
+    with Drafts() as drafts:
+        write_atomically(old, "of no more use")
+        write_atomically(old, "3")
+        remove(new)
+        write_atomically(new, "4")
+        remove(gone)
+        assert (old.read_text(), new.exists(), gone.exists()) == ("1", False, True)
+        promised = digests({path.name: path for path in places})
+        with at_once():  # as a checkpoint is
+            write_atomically(tmp_path / "checkpoint", "5")
+        assert (tmp_path / "checkpoint").read_text() == "5"
+        drafts.put_in_place()
+    written = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    assert written == {"old": "3", "new": "4", "checkpoint": "5"}
+    assert promised == digests({path.name: path for path in places})
+    assert promised.keys() == {"old", "new"}
+
+
+def test_drafts_that_are_not_put_in_place_are_dropped(tmp_path: Path):
+    (tmp_path / "old").write_text("1")
+
+    def fail() -> None:
+        with Drafts():
+            write_atomically(tmp_path / "old", "3")
+            remove(tmp_path / "old")
+            write_atomically(tmp_path / "old", "5")
+            write_atomically(tmp_path / "new", "4")
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        fail()
+    assert names(tmp_path) == ["old"]
+    assert (tmp_path / "old").read_text() == "1"
+    write_atomically(tmp_path / "old", "6")
+    assert (tmp_path / "old").read_text() == "6"
+
+
+def write_together(path: Path) -> None:
+    with Drafts() as drafts:
+        write_atomically(path, "together")
+        drafts.put_in_place()
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")  # files that nobody closes
+@pytest.mark.parametrize(
+    "write",
+    [
+        lambda path: write_atomically(path, "one"),
+        lambda path: write_new(path, "new"),
+        write_together,
+        check_writable,
+    ],
+    ids=["one", "new", "together", "none"],
+)
+def test_a_signal_leaves_no_draft_whenever_it_comes(tmp_path: Path, write: Callable[[Path], object]):
+    """Signals are raised between two steps of the interpreter; each step of ours is tried."""
+    steps = 0
+    while was_interrupted(lambda: write(tmp_path / "file"), steps):
+        assert set(names(tmp_path)) <= {"file"}, f"after {steps} steps"
+        (tmp_path / "file").unlink(missing_ok=True)
+        steps += 1
+    assert steps > 20
+
+
+def was_interrupted(work: Callable[[], object], steps: int) -> bool:
+    """Do something that is interrupted after so many steps, and say whether it takes more."""
+    left = steps
+
+    def trace(frame: FrameType, event: str, _: object) -> object:
+        nonlocal left
+        if frame.f_code.co_filename != files.__file__:
+            return None
+        frame.f_trace_opcodes = True
+        left -= event == "opcode"
+        if left < 0:
+            raise KeyboardInterrupt
+        return trace
+
+    here = inspect.currentframe()
+    assert here is not None
+    here.f_trace_opcodes = True  # else Python 3.12 begins to tell of steps only with the next tracing
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        copy_context().run(work)
+    except KeyboardInterrupt:
+        return True
+    finally:
+        sys.settrace(before)
+    return False
+
+
+DRAFT_AND_WAIT = """
+import sys, time
+from pathlib import Path
+from neurosym.files import Drafts
+from neurosym.files import write_atomically
+with Drafts():
+    write_atomically(Path(sys.argv[1]) / "a", "1")
+    print("written", flush=True)
+    time.sleep(60)
+"""
+
+
+def test_leftovers_of_a_killed_process_are_removed_and_those_of_a_live_one_kept(tmp_path: Path):
+    (tmp_path / ".neurosymmetry").touch()
+    (tmp_path / ".neurosym-0123456789abcdef").touch()  # as earlier versions called them
+    os.mkfifo(tmp_path / ".neurosym-pipe")  # which nobody writes into
+    command = [sys.executable, "-c", DRAFT_AND_WAIT, str(tmp_path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "written\n"
+        remove_leftovers(tmp_path)
+        assert len(names(tmp_path)) == 3
+        process.send_signal(signal.SIGKILL)
+    assert len(names(tmp_path)) == 3
+    remove_leftovers(tmp_path)
+    assert names(tmp_path) == [".neurosym-pipe", ".neurosymmetry"]
+
+
+HOLD = """
+import sys, time
+from pathlib import Path
+from neurosym import files as locks
+assert locks.take(Path(sys.argv[1]), alone=sys.argv[2] == "alone") is not None
+print("taken", flush=True)
+time.sleep(60)
+"""
+
+
+@pytest.fixture
+def ask_once(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setattr(files, "_TRIES", 1)
+
+
+def holder(folder: Path, how: str) -> subprocess.Popen[str]:
+    """Start a process that holds a folder until it is killed."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", HOLD, str(folder), how], stdout=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None
+    assert process.stdout.readline() == "taken\n"
+    return process
+
+
+@pytest.mark.usefixtures("ask_once")
+@pytest.mark.parametrize(("held", "alone"), [("alone", True), ("alone", False), ("shared", True)])
+def test_folder_that_another_process_holds_is_not_had(tmp_path: Path, held: str, alone: bool):
+    with holder(tmp_path, held) as process:
+        assert files.take(tmp_path, alone=alone) is None
+        assert files.holders(tmp_path) == (process.pid,)
+        process.send_signal(signal.SIGKILL)
+    given = files.take(tmp_path, alone=alone)
+    assert given is not None
+    assert files.holders(tmp_path) == (os.getpid(),)
+    os.close(given)
+    assert list(tmp_path.iterdir()) == []
+    assert files.holders(tmp_path) == ()
+
+
+COUNT = """
+import sys
+from pathlib import Path
+from neurosym.files import write_atomically
+from neurosym.files import locked
+path = Path(sys.argv[1])
+for _ in range(50):
+    with locked(path):
+        write_atomically(path, str(int(path.read_text()) + 1))
+"""
+
+
+def test_file_that_several_processes_replace_loses_no_change(tmp_path: Path):
+    path = tmp_path / "count"
+    path.write_text("0")
+    processes = [subprocess.Popen([sys.executable, "-c", COUNT, str(path)]) for _ in range(3)]
+    assert [process.wait() for process in processes] == [0, 0, 0]
+    assert path.read_text() == "150"

@@ -4,6 +4,7 @@ The environment is fresh but for the packages that neurosym needs, which are tho
 """
 
 import os
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -44,18 +45,8 @@ def environment(built, tmp_path_factory) -> Path:
     python = python if python.exists() else programs / "python"
     site = completed(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").stdout.strip()
     (Path(site) / "needed.pth").write_text(sysconfig.get_path("purelib") + "\n")
-    pip = (
-        sys.executable,
-        "-m",
-        "pip",
-        "--python",
-        python,
-        "install",
-        "--quiet",
-        "--no-deps",
-        next(built.glob("*.whl")),
-    )
-    done = completed(*pip)
+    pip = (sys.executable, "-m", "pip", "--python", python, "install", "--quiet", "--no-deps")
+    done = completed(*pip, next(built.glob("*.whl")))
     assert done.returncode == 0, done.stderr
     return programs
 
@@ -106,16 +97,6 @@ def test_unknown_domain_is_refused_and_says_which_come_along(neurosym, tmp_path)
     assert all(line.startswith("(") for line in done.stdout.splitlines()), "no word about the copy"
 
 
-@pytest.mark.skipif(os.name == "nt" or os.geteuid() == 0, reason="root may write everywhere")
-def test_folder_that_cannot_be_written_is_refused_in_one_sentence(neurosym, tmp_path):
-    tmp_path.chmod(0o500)
-    done = neurosym("plan", "tabletop", "task-01")
-    tmp_path.chmod(0o700)
-    assert done.returncode == 2
-    assert "cannot be written: Permission denied." in done.stderr
-    assert not list(tmp_path.iterdir())
-
-
 def test_other_library_of_the_same_name_is_named_in_one_sentence(neurosym, environment):
     site = next(environment.parent.rglob("needed.pth")).parent
     other = site / "neurosym-0.0.90.dist-info"
@@ -125,14 +106,8 @@ def test_other_library_of_the_same_name_is_named_in_one_sentence(neurosym, envir
         done = neurosym("planners")
         assert done.returncode == 2
         assert "Another library called neurosym (version 0.0.90)" in " ".join(done.stderr.split())
-        (other / "entry_points.txt").write_text(
-            "[console_scripts]\nneurosym = neurosym.commands.cli:main\n"
-        )  # ours was called so once
-        assert neurosym("planners").returncode == 0
     finally:
-        for path in other.iterdir():
-            path.unlink()
-        other.rmdir()
+        shutil.rmtree(other)
 
 
 @pytest.mark.evaluation

@@ -1,29 +1,18 @@
 """What is called a plan is one of the printed domain and problem, as a validator says that is not ours."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
 import pytest
-import toy_places
-from independent.random_sizes import draw_sizes
-from independent.random_tables import draw
 from places import ROOT
 
 from neurosym.choices import DOMAINS
 from neurosym.grounding import Grounding
-from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
+from neurosym.pddl.compiler import ground_plan, problem_text
 from neurosym.pddl.plan_reading import read_plan
-from neurosym.planners import PlanStatus, plan
-from neurosym.planners.planner_table import PLANNERS
-from neurosym.planners.unified_planning import validate_pddl
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.verdicts import judge_plan
 from neurosym.tasks.transition import validate
-
-QUICK = ("fast-downward", "lama-first", "bfs-operators", "counting")
-"""Planners that are given random tables here; the others follow in `make evaluate`."""
 
 
 def shipped(domain: str, ending: str = ".plan") -> list[Path]:
@@ -55,45 +44,6 @@ def test_every_shipped_plan_is_valid_by_the_files_as_they_are(domain: str):
         verdict = judge_plan(folder, name := file.name.split(".")[0], file)
         task = folder / f"problems/{name}.pddl"
         assert unified_planning_accepts(folder / verdict.domain, task, file.read_text()), file.name
-
-
-def tables() -> Iterator[tuple[Problem, Grounding]]:
-    """Random domains and problems: on a grid, with steps of their own, and with places."""
-    for drawn in filter(None, (*map(draw, range(10)), *map(draw_sizes, range(10)))):
-        table = drawn.grounding.table
-        is_on_table = all(table.contains(np.array(item.position)) for item in drawn.problem.objects)
-        if is_on_table and len(drawn.problem.objects) <= 4:
-            yield drawn.problem, drawn.grounding
-    for task in (toy_places.swap(), toy_places.mixed()):
-        yield task, toy_places.grounding()
-
-
-def check_planner(name: str, *, least: int) -> None:
-    found = 0
-    for problem, grounding in tables():
-        result = plan(problem, grounding, name, time_limit=20.0)
-        if result.status is not PlanStatus.SOLVED or not validate(result.steps, problem, grounding).valid:
-            continue
-        whole = ground_plan(result.steps, problem, grounding)
-        task = problem_text(problem, grounding, whole.encoding, plans=(whole,))
-        actions = [tuple(line.strip("()").split()) for line in whole.lines]
-        verdict = validate_pddl(domain_text(grounding, whole.encoding), task, actions)
-        assert verdict.valid, (name, problem.name, verdict)
-        found += 1
-    assert found >= least
-
-
-@pytest.mark.parametrize("name", QUICK)
-def test_plans_for_random_problems_are_plans_of_what_is_printed(name: str):
-    check_planner(name, least=4)
-
-
-@pytest.mark.evaluation
-@pytest.mark.parametrize("name", [name for name in PLANNERS if name not in QUICK])
-def test_plans_of_every_other_planner_are_plans_of_what_is_printed(name: str):
-    if why := PLANNERS[name].missing():
-        pytest.skip(f"{name} is missing: {why}")
-    check_planner(name, least=1)
 
 
 def test_problem_says_what_a_plan_beside_it_needs_and_nothing_else():

@@ -11,13 +11,6 @@ from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.problems import Problem, check_goals
 
 
-def test_scene_has_the_objects_in_order():
-    scene = problem().scene()
-    assert scene.positions.tolist() == [[0.4512, 0.0133, 0.025], [0.6, -0.1, 0.02]]
-    assert scene.features.shape == (2, 4)
-    assert scene.orientations[0].tolist() == [0, 0, 0, 1]
-
-
 def test_problem_is_met_only_if_every_goal_is():
     there = np.array([problem().goals["item-01"], problem().goals["item-02"]])
     assert problem().is_met(there)

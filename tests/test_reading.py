@@ -25,7 +25,7 @@ READERS = {
     "grounding.json": ["explain", "{}"],
     "interactions.npz": ["check", "{}"],
     "effect_model.safetensors": ["new-problem", "{}", "--name", "another"],
-    "training.json": ["evaluate", "{}"],
+    "training.json": ["report", "{}", "--workers", "1"],
     "problems/task-01.scene.json": ["plan", "{}", "task-01", "--planner", "bfs-operators"],
     "plans/task-01.fast-downward.plan": ["execute", "{}", "task-01", "{}/plans/task-01.fast-downward.plan"],
     "runs/task-01.fast-downward.run.json": ["replay", "{}", "{}/runs/task-01.fast-downward.run.json"],

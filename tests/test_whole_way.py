@@ -17,8 +17,8 @@ from neurosym.planners import PlanStatus
 from neurosym.planners.external import plan_fast_downward
 from neurosym.stages.plan_records import PlanRecord
 
-LEARN = ["--steps", "256", "--seed", "7", "--regime", "quick", "--rehearsals", "12", "--problems", "4"]
-LEARN += ["--action-bits", "2"]  # half as many auditions
+LEARN = ["--steps", "128", "--seed", "7", "--regime", "quick", "--rehearsals", "6", "--problems", "3"]
+LEARN += ["--action-bits", "1", "--choice", "lowest-error"]  # two primitives, and no auditions
 
 
 def run(folder: Path) -> subprocess.CompletedProcess[str]:
@@ -64,7 +64,7 @@ def test_killed_run_goes_on_and_a_finished_one_does_nothing(folder):
 
 def test_plans_of_fast_downward_were_executed_and_other_programs_accept_them(folder):
     records = [read_json(path, PlanRecord) for path in sorted((folder / "plans").glob("*.json"))]
-    assert len(records) >= 4
+    assert len(records) == 3
     executed = {path.name.split(".")[0] for path in (folder / "runs").glob("*.run.json")}
     assert executed == {record.problem for record in records if record.solved}
     assert any(record.steps for record in records)

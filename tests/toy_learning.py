@@ -1,6 +1,7 @@
 """Data of the toy world, and trainings of it that take a moment."""
 
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -8,6 +9,7 @@ import numpy as np
 from neurosym.data.interactions import Interactions
 from neurosym.exploration.loop import ExplorationConfig, explore
 from neurosym.learning.training_config import (
+    REGIMES,
     CodingConfig,
     DecoderConfig,
     DirectConfig,
@@ -17,8 +19,8 @@ from neurosym.learning.training_config import (
     TrainingConfig,
 )
 from neurosym.primitives.rehearsal import Search
-from neurosym.world import Scene
-from neurosym.worlds.toy import LONGEST_PUSH, WIDEST_GRASP, make_world
+from neurosym.world import Outcome, Scene
+from neurosym.worlds.toy import LONGEST_PUSH, WIDEST_GRASP, ToyWorld, make_world
 
 SMALL = ModelConfig(hidden=16)
 BRIEF = TrainingConfig(
@@ -32,6 +34,24 @@ BRIEF = TrainingConfig(
     decoder=DecoderConfig(imagined=300, imagined_epochs=2, epochs=2),
 )
 """A training that learns nearly nothing."""
+SHORTENED = replace(
+    REGIMES["quick"],
+    training=TrainingConfig(
+        teacher=TeacherConfig(epochs=20),
+        naming=NamingConfig(
+            table_actions=400,
+            table_objects=24,
+            table_restarts=3,
+            actions=4000,
+            objects=400,
+            starts=1,
+            steps=100,
+        ),
+        coding=CodingConfig(steps=100),
+        decoder=DecoderConfig(imagined=5000, imagined_epochs=3),
+    ),
+)
+"""The quick regime with a training that learns enough of the toy world."""
 
 
 @cache
@@ -69,6 +89,27 @@ def some_features(count=40):
     """Features of objects of the toy world."""
     scenes = [make_world().sample_scene(np.random.default_rng([5, n]), 1) for n in range(count)]
     return np.concatenate([scene.features for scene in scenes])
+
+
+class Changed(ToyWorld):
+    """A toy world that in which functions change what is performed, and what is told of it."""
+
+    def __init__(self, change=lambda _, action: action, told=lambda _, outcome: outcome):
+        super().__init__(make_world().config)
+        self.change, self.told = change, told
+
+    def interact(self, scene, action, target, **options):  # noqa: D102
+        return self.told(action, super().interact(scene, self.change(scene, action), target, **options))
+
+
+def an_outcome(shift=(0.0, 0.0, 0.0), rest=None, **flags):
+    """An outcome of one object that ends the rise so far from its start, and rests there or elsewhere."""
+
+    def scene(offset):
+        return Scene(np.ones((1, 4)), np.array([offset], dtype=float), np.array([[0.0, 0, 0, 1]]))
+
+    flags = {"held": False, "toppled": False, "lost": False, "peak_height": 0.0, **flags}
+    return Outcome(scene((0, 0, 0)), scene(shift), scene(shift if rest is None else rest), 0, **flags)
 
 
 # Actions of the toy world, and categories of its objects

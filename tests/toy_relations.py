@@ -19,9 +19,9 @@ from neurosym.pair_operators import (
 from neurosym.pddl import compile_domain
 from neurosym.problems import Problem, SceneObject
 from neurosym.world import World
-from neurosym.worlds.toy_relations import make_world
+from neurosym.worlds.toy_relations import ToyRelations
 
-WORLD = make_world()
+WORLD = ToyRelations()
 CARRY = (0, 0, 0, 1.0, 0, 0, 0, 0.0, 0, 0, 0, 0.0)
 CUBE, BLOCK, TRAY = (0.05, 0.05, 0.05, 0.0), (0.08, 0.08, 0.05, 0.0), (0.18, 0.18, 0.06, 1.0)
 KINDS = {"cube": ("00", CUBE), "block": ("01", BLOCK), "tray": ("10", TRAY)}

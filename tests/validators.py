@@ -1,7 +1,9 @@
 """Other people's programs that judge what we print."""
 
 import warnings
+from functools import cache
 from pathlib import Path
+from typing import Any
 
 
 def unified_planning_accepts(domain: Path, task: Path, plan: str) -> bool:
@@ -10,7 +12,13 @@ def unified_planning_accepts(domain: Path, task: Path, plan: str) -> bool:
         from unified_planning.engines import SequentialPlanValidator
         from unified_planning.io import PDDLReader
 
-        reader = PDDLReader()
-        parsed = reader.parse_problem(str(domain), str(task))
+        parsed = _parsed(domain.read_text(), task.read_text())
         with SequentialPlanValidator() as validator:
-            return bool(validator.validate(parsed, reader.parse_plan_string(parsed, plan)))
+            return bool(validator.validate(parsed, PDDLReader().parse_plan_string(parsed, plan)))
+
+
+@cache
+def _parsed(domain: str, task: str) -> Any:
+    from unified_planning.io import PDDLReader
+
+    return PDDLReader().parse_problem_string(domain, task)

@@ -2,6 +2,7 @@
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 DOORS = {"__init__.py", "__main__.py"}
@@ -10,18 +11,22 @@ DOORS = {"__init__.py", "__main__.py"}
 
 def imported(path: Path, package: Path) -> set[str]:
     """Name all modules that a file of a package imports, anywhere in it, as `neurosym.folder.module`."""
+    return _named(path.read_text(), ("neurosym", *path.relative_to(package).parent.parts))
+
+
+@cache
+def _named(text: str, here: tuple[str, ...]) -> set[str]:
     found: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text())):
+    for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
             module = node.module or ""
             if node.level:
-                here = ["neurosym", *path.relative_to(package).parent.parts]
                 module = ".".join([*here[: len(here) - node.level + 1], *filter(None, [module])])
             found |= {f"neurosym.{alias.name}" for alias in node.names} if module == "neurosym" else {module}
         elif isinstance(node, ast.Call) and ast.unparse(node.func).endswith(("import_module", "__import__")):
-            found |= {name.value for name in node.args[:1] if isinstance(name, ast.Constant)}
+            found |= {str(name.value) for name in node.args[:1] if isinstance(name, ast.Constant)}
     return found
 
 

@@ -7,22 +7,19 @@ is done twice. None of the problems is removed.
 from pathlib import Path
 
 from neurosym.choices import TaskKind
-from neurosym.commands.learn import run
-from neurosym.files import write_atomically
+from neurosym.commands.pipeline import run
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
-from neurosym.stages.console import say
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PRIMITIVES
-from neurosym.stages.problem_making import Asked, problem_stage
+from neurosym.stages.problem_making import Asked
 from tools.relearn_tabletop import (
     STAGES,
     categories_table,
-    give_name,
     operators_table,
     problems_table,
     stages_table,
-    try_problem,
+    try_and_describe,
 )
 
 FOLDER = Path("domains/places")
@@ -48,16 +45,9 @@ TASKS: tuple[tuple[TaskKind, int, int], ...] = (
 def main() -> None:
     """Learn, try, describe."""
     run(FOLDER, steps=STEPS, places=PLACES, seed=SEED, problems=0)
-    folder = DomainFolder(FOLDER)
-    give_name(folder)
-    every = [(kind, objects) for kind, objects, count in TASKS for _ in range(count)]
-    for number, (kind, objects) in enumerate(every, start=1):
-        name = f"{kind}-{objects}-{number:02d}"
-        drawn = problem_stage(folder, name, Asked(objects, task=kind, seed=SEED + number))
-        folder.perform(drawn, again=False)
-        try_problem(folder, name, PLANNER)
-    write_atomically(FOLDER / "README.md", "\n\n".join(sections(folder)) + "\n")
-    say(f"wrote {FOLDER / 'README.md'}")
+    every = enumerate(((kind, objects) for kind, objects, count in TASKS for _ in range(count)), start=1)
+    asked = {f"{kind}-{n}-{i:02d}": Asked(n, task=kind, seed=SEED + i) for i, (kind, n) in every}
+    try_and_describe(FOLDER, sections, lambda _: asked, (PLANNER,))
 
 
 def sections(folder: DomainFolder) -> list[str]:

@@ -5,20 +5,21 @@ whose symbols have as many bits as the paper's. Resumable: start it again after 
 is done twice. None of the problems is removed.
 """
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated
 
 import tyro
 
-from neurosym.commands.learn import run
+from neurosym.commands.pipeline import run
 from neurosym.errors import counted
 from neurosym.evaluation.summary import markdown_table
 from neurosym.files import read_json, write_atomically
 from neurosym.grounding import Grounding
 from neurosym.learning.training import TrainingReport
 from neurosym.learning.training_config import DEFAULT_BITS, PAPER_BITS
-from neurosym.operators import Category, Operator, OperatorTable, Vector
+from neurosym.operators import Category, Operator, OperatorTable
 from neurosym.pddl.compiler import CELL
 from neurosym.stages.compilation import compile_stage
 from neurosym.stages.console import say
@@ -32,8 +33,7 @@ from neurosym.stages.problem_making import Asked, problem_stage
 TABLETOP = Path("domains/tabletop")
 STEPS, SEED = 10_000, 1
 RISING = {(1, 1): 4, (1, 2): 2, (2, 1): 4, (2, 2): 2, (3, 2): 2, (4, 3): 2, (6, 4): 2, (8, 6): 2}
-SIZES = tuple(size for size, problems in RISING.items() for _ in range(problems))
-"""Objects of each problem, and random actions that lead to its goal."""
+"""How many problems there are, by their objects and the random actions that lead to their goals."""
 PLANNERS = ("bfs", "fast-downward")
 STAGES = ("explore", "train", "distill", "compile-domain")
 
@@ -45,30 +45,37 @@ def main(
     path = TABLETOP.with_name("tabletop-paper") if paper else TABLETOP
     bits = PAPER_BITS if paper else DEFAULT_BITS
     run(path, steps=STEPS, seed=SEED, problems=0, object_bits=bits[0], action_bits=bits[1], places=0)
+    sizes = enumerate((size for size, problems in RISING.items() for _ in range(problems)), start=1)
+    asked = {f"task-{number:02d}": Asked(*size, SEED + number) for number, size in sizes}
+    try_and_describe(path, lambda folder: sections(folder, bits), lambda _: asked, PLANNERS)
+
+
+def try_and_describe(
+    path: Path,
+    sections: Callable[[DomainFolder], list[str]],
+    asked: Callable[[DomainFolder], Mapping[str, Asked]],
+    planners: Sequence[str],
+) -> None:
+    """Try problems in a domain that was learned, and describe it; what was done is not done again.
+
+    Args:
+        path: The domain folder, after which the domain is called.
+        sections: Writes what is to be said of it.
+        asked: Says what is asked for in each problem.
+        planners: Who plans.
+    """
     folder = DomainFolder(path)
-    give_name(folder)
-    for number, (objects, actions) in enumerate(SIZES, start=1):
-        name = f"task-{number:02d}"
-        drawn = problem_stage(folder, name, Asked(objects, actions, SEED + number))
-        folder.perform(drawn, again=False)
-        for planner in PLANNERS:
-            try_problem(folder, name, planner)
-    write_atomically(path / "README.md", "\n\n".join(sections(folder, bits)) + "\n")
+    if Grounding.load(folder / GROUNDING).name != path.name:
+        folder.perform(compile_stage(folder, cell=CELL, name=path.name), again=True)
+    for name, problem in asked(folder).items():
+        folder.perform(problem_stage(folder, name, problem), again=False)
+        for planner in planners:
+            folder.perform(plan_stage(folder, name, planner=planner), again=False)
+            solved = read_json(folder / plan_files(name, planner)[1], PlanRecord).solved
+            if solved and (plan_file := written_steps(folder, name, planner)):
+                folder.perform(execute_stage(folder, name, folder / plan_file), again=False)
+    write_atomically(path / "README.md", "\n\n".join(sections(folder)) + "\n")
     say(f"wrote {path / 'README.md'}")
-
-
-def try_problem(folder: DomainFolder, name: str, planner: str) -> None:
-    """Plan a problem, and execute the plan if there is one."""
-    folder.perform(plan_stage(folder, name, planner=planner), again=False)
-    solved = read_json(folder / plan_files(name, planner)[1], PlanRecord).solved
-    if solved and (plan_file := written_steps(folder, name, planner)):
-        folder.perform(execute_stage(folder, name, folder / plan_file), again=False)
-
-
-def give_name(folder: DomainFolder) -> None:
-    """Name the domain after its folder, unless it is called so."""
-    if Grounding.load(folder / GROUNDING).name != folder.path.name:
-        folder.perform(compile_stage(folder, cell=CELL, name=folder.path.name), again=True)
 
 
 def sections(folder: DomainFolder, bits: tuple[int, int]) -> list[str]:
@@ -146,49 +153,39 @@ def categories_table(categories: tuple[Category, ...]) -> str:
 
 def operators_table(operators: tuple[Operator, ...], grounding: Grounding) -> str:
     """Say what each operator did in rehearsal, and whether it is in the domain."""
+    columns = ["operator", "ends", "effect [mm]", "spread [mm]", "as promised", "in the domain"]
     rows = []
     for operator in operators:
-        promise = operator.promise
-        effect, spread = (
-            (_millimetres(promise.outcome), _millimetres(promise.scatter)) if promise else ("", "")
-        )
-        kind = "neither held nor upright" if promise is None else f"{promise.kind}, {promise.share:.0%}"
+        told = ["neither held nor upright", "", ""]
+        if (promise := operator.promise) is not None:
+            told = [f"{promise.kind}, {promise.share:.0%}", *map(_in_mm, (promise.outcome, promise.scatter))]
         kept = f"{operator.successes} of {operator.trials}"
-        rows.append([operator.name, kind, effect, spread, kept, grounding.why_left_out(operator) or "yes"])
-    return markdown_table(
-        ["operator", "ends", "effect [mm]", "spread [mm]", "as promised", "in the domain"], rows
-    )
+        rows.append([operator.name, *told, kept, grounding.why_left_out(operator) or "yes"])
+    return markdown_table(columns, rows)
 
 
 def problems_table(folder: DomainFolder, planners: Sequence[str] = PLANNERS) -> list[str]:
     """Say what came of each problem."""
-    rows = []
-    counts = dict.fromkeys(planners, (0, 0))
+    rows, found, reached = [], Counter[str](), Counter[str]()
     for name in folder.problem_names():
-        row = [name, str(len(load_problem(folder, name).objects))]
+        rows.append([name, str(len(load_problem(folder, name).objects))])
         for planner in planners:
-            found, reached, cell = _outcome(folder, name, planner)
-            counts[planner] = (counts[planner][0] + found, counts[planner][1] + reached)
-            row.append(cell)
-        rows.append(row)
-    summary = "; ".join(
-        f"{planner}: {found} found, {reached} reached" for planner, (found, reached) in counts.items()
-    )
+            record = read_json(folder / plan_files(name, planner)[1], PlanRecord)
+            plan_file = written_steps(folder, name, planner)
+            if not (record.solved and plan_file):
+                rows[-1].append(f"no plan: {record.reason}")
+                continue
+            run = load_run(folder, name, folder / plan_file)
+            found[planner] += 1
+            reached[planner] += run.reached
+            missed = "" if run.reached else f": {run.reason}"
+            steps = counted(record.primitives, "primitive")
+            rows[-1].append(f"{steps}, {run.outcome.removeprefix('goal ')}{missed}")
+    summary = "; ".join(f"{one}: {found[one]} found, {reached[one]} reached" for one in planners)
     return [markdown_table(["problem", "objects", *planners], rows), f"Of {len(rows)} problems, {summary}."]
 
 
-def _outcome(folder: DomainFolder, name: str, planner: str) -> tuple[bool, bool, str]:
-    record = read_json(folder / plan_files(name, planner)[1], PlanRecord)
-    plan_file = written_steps(folder, name, planner)
-    if not (record.solved and plan_file):
-        return False, False, f"no plan: {record.reason}"
-    run = load_run(folder, name, folder / plan_file)
-    steps = counted(record.primitives, "primitive")
-    missed = "" if run.reached else f": {run.reason}"
-    return True, run.reached, f"{steps}, {run.outcome.removeprefix('goal ')}{missed}"
-
-
-def _millimetres(vector: Vector) -> str:
+def _in_mm(vector: Sequence[float]) -> str:
     return ", ".join(f"{1000 * value + 0:.0f}" for value in vector)
 
 

@@ -9,18 +9,17 @@ import shutil
 from pathlib import Path
 
 from neurosym.choices import AnyTask
-from neurosym.commands.learn import run
+from neurosym.commands.pipeline import run
 from neurosym.evaluation.summary import markdown_table
-from neurosym.files import make_folder, write_atomically, write_json
+from neurosym.files import make_folder, write_json
 from neurosym.grounding import Grounding
-from neurosym.pair_operators import RelationOperator, RelationOperators
-from neurosym.stages.console import say
+from neurosym.pair_operators import RelationOperators
 from neurosym.stages.folder import DomainFolder, Manifest
 from neurosym.stages.layout import GROUNDING, MANIFEST
-from neurosym.stages.problem_making import Asked, problem_stage
+from neurosym.stages.problem_making import Asked
 from tools.relearn_places import FOLDER as LEARNED
 from tools.relearn_places import PLACES, PLANNER, SEED, STEPS
-from tools.relearn_tabletop import STAGES, give_name, problems_table, stages_table, try_problem
+from tools.relearn_tabletop import STAGES, problems_table, stages_table, try_and_describe
 
 FOLDER = Path("domains/towers")
 RELATIONS = 10_240
@@ -50,18 +49,19 @@ def main() -> None:
     """Learn, try, describe."""
     take_places(LEARNED, FOLDER)
     run(FOLDER, steps=STEPS, places=PLACES, relations=RELATIONS, seed=SEED, problems=0)
-    folder = DomainFolder(FOLDER)
-    give_name(folder)
+    try_and_describe(FOLDER, sections, asked_for, (PLANNER,))
+
+
+def asked_for(folder: DomainFolder) -> dict[str, Asked]:
+    """Say what is asked for in each problem."""
     resting = state_called("rests-on", folder)
     every = [(kind, objects, height) for kind, objects, height, count in TASKS for _ in range(count)]
-    for number, (kind, objects, height) in enumerate(every, start=1):
-        name = f"{kind}-{objects}-{number:02d}"
-        state = resting if kind in RESTING else ""
-        asked = Asked(objects, seed=SEED + number, task=kind, height=height, state=state)
-        folder.perform(problem_stage(folder, name, asked), again=False)
-        try_problem(folder, name, PLANNER)
-    write_atomically(FOLDER / "README.md", "\n\n".join(sections(folder)) + "\n")
-    say(f"wrote {FOLDER / 'README.md'}")
+    return {
+        f"{kind}-{objects}-{number:02d}": Asked(
+            objects, seed=SEED + number, task=kind, height=height, state=resting * (kind in RESTING)
+        )
+        for number, (kind, objects, height) in enumerate(every, start=1)
+    }
 
 
 def take_places(learned: Path, folder: Path) -> None:
@@ -135,17 +135,14 @@ def _states(relations: RelationOperators) -> str:
 
 def _operators(relations: RelationOperators) -> str:
     out = relations.left_out
-    kept = [one for one in relations.operators if one.name not in out and one.promise]
-    kept.sort(key=lambda one: -one.promise.share if one.promise else 0.0)
-    columns = ["operator", "as promised", "borne", "occupied", "laden"]
-    return markdown_table(columns, [_row(one) for one in kept[:_MOST_OPERATORS]])
-
-
-def _row(one: RelationOperator) -> list[str]:
-    assert one.promise is not None, "only these are listed"
-    tried = [(one.promise.count, one.trials)]
-    tried += [(kept.kept, kept.trials) for kept in (one.borne, one.occupied, one.laden)]
-    return [one.name, *(f"{kept} of {trials}" for kept, trials in tried)]
+    kept = [(one, one.promise) for one in relations.operators if one.name not in out and one.promise]
+    kept.sort(key=lambda pair: -pair[1].share)
+    rows = [
+        [one.name, f"{promise.count} of {one.trials}"]
+        + [f"{case.kept} of {case.trials}" for case in (one.borne, one.occupied, one.laden)]
+        for one, promise in kept[:_MOST_OPERATORS]
+    ]
+    return markdown_table(["operator", "as promised", "borne", "occupied", "laden"], rows)
 
 
 if __name__ == "__main__":

@@ -9,21 +9,18 @@ from difflib import get_close_matches
 from functools import partial, wraps
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Optional
+from typing import Annotated, Any, Optional
 
 import msgspec
 from tyro.conf import Positional, arg
 
-from neurosym.choices import DOMAINS, DrawnTask, copy_shipped
+from neurosym.choices import DOMAINS, DrawnTask, copy_shipped, shipped_domain
 from neurosym.commands.catalogue import ABOUT, SUMMARIES, Command, command_named, nearest
 from neurosym.errors import InvalidValue, UnknownChoice, quoted, shortened
 from neurosym.files import LARGEST_WHOLE, check_writable
 from neurosym.stages.console import be_quiet, is_quiet, print_raw, say
 from neurosym.stages.folder import DomainFolder
-
-if TYPE_CHECKING:
-    pass
-
+from neurosym.stages.layout import PROBLEMS
 
 Folder = Annotated[Positional[Path], arg(metavar="DIR", help="The domain folder.")]
 ProblemName = Annotated[
@@ -53,15 +50,14 @@ Task = Annotated[
         "relations also a tower, boxes, unstack or exchange; else as in the paper."
     ),
 ]
+Json = Annotated[bool, arg(help="Print the answer as JSON and nothing else, for programs.")]
+CPUS = os.cpu_count() or 1
 
 
 def check_file(path: Path | None, what: str, *endings: str) -> None:
-    """Raise unless a file can be written, if one is asked for: by its ending, its folder, and the system.
+    """Raise unless a file of one of some endings can be written, if one is asked for.
 
-    Args:
-        path: The file.
-        what: What is written there, as a sentence has it.
-        endings: Those that it may have; any, if none are given.
+    `what` is written there, as a sentence has it; without endings, any will do.
 
     Raises:
         InvalidValue: If it has another ending, or stands in no folder.
@@ -74,22 +70,6 @@ def check_file(path: Path | None, what: str, *endings: str) -> None:
         ending = f" that ends in {' or '.join(endings)}," if endings else ""
         raise InvalidValue(f"No {what} can be written to {path}; name a file{ending} in an existing folder.")
     check_writable(path)
-
-
-def check_least(least: int, **values: int) -> None:
-    """Raise `InvalidValue` unless options, by their names, are at least so much."""
-    for name, value in values.items():
-        if value < least:
-            raise InvalidValue(f"{name} = {value} must be at least {least}.")
-
-
-def check_time_limit(time_limit: float | None) -> None:
-    """Raise `InvalidValue` unless a ceiling is a number of seconds, if there is one."""
-    if time_limit is not None and not 0 < time_limit < math.inf:
-        raise InvalidValue(f"time-limit = {time_limit:g} must be a number of seconds greater than 0.")
-
-
-CPUS = os.cpu_count() or 1
 
 
 def opened(folder: Path) -> DomainFolder:
@@ -109,24 +89,50 @@ def opened(folder: Path) -> DomainFolder:
     return DomainFolder(folder, notify=lambda remark: say(f"note: {remark}"))
 
 
-# Reading what was typed on the command line: tyro does it, and what it refuses is said in one sentence.
+def answer_in(json: bool) -> Callable[..., None]:
+    """Return how a command gives its answer to programs; from now on nothing else is printed to them.
+
+    What is returned prints a struct or dictionary as JSON, if that was asked for, and before it what else is
+    given by name.
+    """
+    was_quiet = is_quiet()
+    be_quiet(was_quiet or json)
+
+    def answer(value: Any, **besides: Any) -> None:
+        if json:
+            be_quiet(was_quiet)
+            found = msgspec.to_builtins(value)
+            text = msgspec.json.encode({**besides, **found} if besides else found)
+            print_raw(msgspec.json.format(text, indent=2).decode())
+
+    return answer
+
+
+# Reading what was typed: tyro does it, and what it refuses is said in one sentence.
 #
 # tyro tells what it is about to refuse as an event. Events are no stable part of it, so the version is
 # pinned.
 
 _LONGEST = 4096
 """Characters of one argument, as of a path."""
-MOST = {
-    "steps": 10_000_000,  # more rows than this are not read again either
-    "rehearsals": 1_000_000,
-    "objects": 1_000_000,
-    "actions": 10_000,
-    "problems": 10_000,
-    "tasks": 1_000_000,
-    "replans": 1_000_000,
-    "time-limit": 10_000_000,  # seconds, nearly four months
+_BOUNDS = {
+    "steps": (1, 10_000_000),  # more rows than this are not read again either
+    "rehearsals": (1, 1_000_000),
+    "objects": (1, 1_000_000),
+    "actions": (0, 10_000),
+    "problems": (0, 10_000),
+    "tasks": (1, 1_000_000),
+    "replans": (0, 1_000_000),
+    "disturb": (0, LARGEST_WHOLE),
+    "seed": (0, LARGEST_WHOLE),
+    "places": (0, LARGEST_WHOLE),
+    "relations": (0, LARGEST_WHOLE),
+    "time-limit": (0, 10_000_000),  # seconds, nearly four months
+    "tolerance": (0, LARGEST_WHOLE),
+    "workers": (1, 256),
+    "port": (0, 65535),
 }
-"""What is the most that makes sense of some options; of any other number, the greatest whole one."""
+"""The least and the most that makes sense of some options; of any other number, any 64-bit one."""
 _IN_WORDS = (
     (r"^- <class '\w+'>: ", ""),
     (r"invalid literal for int\(\) with base 10: (.*)$", r"\1 is no whole number"),
@@ -162,8 +168,8 @@ def read_arguments(arguments: Sequence[str]) -> Callable[[], int]:
             )
     given = inspect.signature(chosen.func).bind(*chosen.args, **chosen.keywords).arguments
     for option, value in given.items():
-        for number in value if isinstance(value, tuple) else (value,):
-            _check_number(option.replace("_", "-"), number)
+        if isinstance(value, int | float):
+            _check_number(option.replace("_", "-"), value)
     return chosen
 
 
@@ -181,13 +187,18 @@ def _check_words(arguments: Sequence[str]) -> None:
             raise InvalidValue(f"{shortened(word)} holds a zero byte, which no argument can.")
 
 
-def _check_number(option: str, value: object) -> None:
-    """Refuse numbers that no option can take, so that they go no further."""
+def _check_number(option: str, value: float) -> None:
+    """Refuse numbers that an option cannot take, so that they go no further."""
+    least, most = _BOUNDS.get(option, (-LARGEST_WHOLE, LARGEST_WHOLE))
+    given = f"{option} = {shortened(str(value), 40)}"
     if isinstance(value, float) and not math.isfinite(value):
-        raise InvalidValue(f"{option} = {value} must be a finite number.")
-    if isinstance(value, int | float) and abs(value) > (most := MOST.get(option, LARGEST_WHOLE)):
-        given = shortened(f"{value}", 40)
-        raise InvalidValue(f"{option} = {given} is too great; valid: at most {most:,}.")
+        raise InvalidValue(f"{given} must be a finite number.")
+    if value > most:
+        raise InvalidValue(f"{given} is too great; valid: at most {most:,}.")
+    if value < least:
+        raise InvalidValue(f"{given} must be at least {least}.")
+    if value == 0 and option in ("tolerance", "time-limit"):
+        raise InvalidValue(f"{given} must be greater than 0.")
 
 
 def _later(command: Command) -> Callable[..., "partial[int]"]:
@@ -206,16 +217,12 @@ def _refuse(command: Command | None, typed: Sequence[str], event: Any) -> None:
 
     name, said = typed[0] if command else "", ""
     if isinstance(event, events.InvalidChoice):
-        choices = [choice for choice in event.choices if choice != "None"]  # which is no word of ours
-        option = _called(event.argument).removeprefix("--")
-        if option == "encoding":
-            from neurosym.pddl.compiler import check_former
-
-            check_former(event.value)
-        raise UnknownChoice(option, event.value, choices)
+        choices = [one for one in event.choices if one != "None"]  # which is no word of ours
+        raise UnknownChoice(_called(event.argument).removeprefix("--"), event.value, choices)
     if isinstance(event, events.MissingArgs):
         said = f"missing: {', '.join(_called(missing.arg) for missing in event.missing_arguments)}"
-        said += _unrecognized(command, event.unrecognized_tokens, "; ")
+        if event.unrecognized_tokens:
+            said += f"; {_unrecognized(command, event.unrecognized_tokens)}"
         said += _problems_of(typed[1]) if name and len(typed) == 2 else ""
     elif isinstance(event, events.MissingSubcommand):
         said = f"expected one of {{{', '.join(SUMMARIES)}}}"
@@ -236,49 +243,21 @@ def _refuse(command: Command | None, typed: Sequence[str], event: Any) -> None:
 
 def _called(argument: Any) -> str:
     """Say what an argument is called: `--option`, or PLACE."""
-    if argument.is_positional():
-        return str(argument.lowered.metavar)
-    return str(argument.lowered.name_or_flags[-1])
+    lowered = argument.lowered
+    return str(lowered.metavar if argument.is_positional() else lowered.name_or_flags[-1])
 
 
-def _unrecognized(command: Command | None, tokens: Sequence[str], before: str = "") -> str:
+def _unrecognized(command: Command | None, tokens: Sequence[str]) -> str:
     """List what is no option; of the first, say which is nearest."""
-    if not tokens:
-        return ""
     said = shortened(", ".join(shortened(token, 300) for token in tokens), 600)
     options = inspect.signature(command).parameters if command else ()
     known = [f"--{option.replace('_', '-')}" for option in options]
     near = nearest(tokens[0].partition("=")[0], known) if tokens[0].startswith("--") else ""
-    return f"{before}unrecognized options: {said}" + (f"; the nearest is {near}" if near else "")
+    return f"unrecognized options: {said}" + (f"; the nearest is {near}" if near else "")
 
 
 def _problems_of(typed: str) -> str:
     """List the problems of a domain folder or shipped domain, if one was typed; else nothing."""
-    from neurosym.choices import shipped_domain
-    from neurosym.stages.folder import DomainFolder
-    from neurosym.stages.layout import PROBLEMS
-
     folder = Path(typed) if Path(typed).is_dir() else shipped_domain(typed)
     names = DomainFolder(folder).problem_names() if folder and (folder / PROBLEMS).is_dir() else ()
     return f"; problems of {typed}: {', '.join(names)}" if names else ""
-
-
-Json = Annotated[bool, arg(help="Print the answer as JSON and nothing else, for programs.")]
-
-_Answer = Callable[..., None]
-"""Prints a struct or dictionary as JSON, if that was asked for; more fields, given by name, come first."""
-
-
-def answer_in(json: bool) -> _Answer:
-    """Return how a command gives its answer; from now on nothing else is printed if that is JSON."""
-    was_quiet = is_quiet()
-    be_quiet(was_quiet or json)
-
-    def answer(value: Any, **besides: Any) -> None:
-        if json:
-            be_quiet(was_quiet)
-            found = msgspec.to_builtins(value)
-            text = msgspec.json.encode({**besides, **found} if besides else found)
-            print_raw(msgspec.json.format(text, indent=2).decode())
-
-    return answer

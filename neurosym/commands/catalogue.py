@@ -5,6 +5,7 @@ A command is a function of its own name; its module is imported when it is typed
 
 from collections.abc import Callable, Iterable
 from difflib import get_close_matches
+from functools import partial
 from importlib import import_module
 from textwrap import wrap
 
@@ -27,21 +28,17 @@ GROUPS = {
         "train": "Fit the model whose bits are symbols: `interactions.npz` -> `effect_model.safetensors`.",
         "distill": "Turn action symbols into parameters and rehearse each: -> `primitives.json`.",
         "compile-domain": "Compile the PDDL domain: `primitives.json` -> `domain.pddl` and `grounding.json`.",
-        "practise": "Practise where plans fail: draw tasks, execute plans, improve what broke them.",
     },
     "Tasks and plans": {
         "new-problem": "Make a problem: a random scene, and a goal that actions lead to, or yours.",
         "planners": "List the planners, the encodings that they take, and whether they are here.",
         "validate": "Judge a plan without executing it; exit code 3 if it is none.",
         "replay": "Run a record again, nudge and all, and say whether the same happens (exit code 3: no).",
+        "compare": "Give the same drawn tasks to several planners, and judge each plan.",
     },
     "What was learned": {
         "show": "Show an interaction, a primitive, an operator or a problem, in pictures or live.",
         "explain": "Say in words what each symbol means: what is done, and which objects are alike.",
-    },
-    "Evaluation, as in the paper": {
-        "compare": "Give the same drawn tasks to several planners, and judge each plan.",
-        "evaluate": "Print the paper's Tables I (errors), II (primitives) and III (planning).",
     },
 }
 """The commands in groups, the main way first; each with the first sentence that it says of itself."""
@@ -56,14 +53,14 @@ own file; `neurosym run DIR` goes the whole way. To begin: neurosym demo, or neu
 1024. Any command prints only what goes wrong with --quiet; neurosym --version says which this is."""
 
 _HOMES = {
-    "learn": ("init", "explore", "check", "train", "distill", "compile-domain", "practise", "run"),
+    "learn": ("init", "explore", "check", "train", "distill", "compile-domain"),
+    "pipeline": ("run",),
     "tasks": ("new-problem", "plan", "planners", "validate"),
     "execute": ("demo", "execute", "replay"),
-    "show": ("show", "explain", "report", "compare", "evaluate"),
+    "show": ("show", "explain", "report", "compare"),
     "studio": ("studio",),
 }
 """In which module of this folder each command is."""
-_MORE = "`neurosym COMMAND --help` says what a command does and takes."
 _NAMES = max(map(len, SUMMARIES)) + 4  # columns of the names of commands, with the space about them
 
 
@@ -86,21 +83,17 @@ def command_named(name: str) -> Command:
 
 def overview(columns: int) -> str:
     """Return what `--help` says: what neurosym is, and its commands."""
-    about = (" ".join(part.split()) for part in ABOUT.split("\n\n"))
-    parts = ["usage: neurosym COMMAND ...", *("\n".join(wrap(part, columns)) for part in about)]
+    parts = ["usage: neurosym COMMAND ..."]
+    parts += ["\n".join(wrap(" ".join(part.split()), columns)) for part in ABOUT.split("\n\n")]
+    entry = partial(wrap, width=columns, subsequent_indent=" " * _NAMES, break_on_hyphens=False)
     for title, group in GROUPS.items():
-        parts.append("\n".join([f"{title}:", *(_entry(*entry, columns) for entry in group.items())]))
-    return "\n\n".join([*parts, _MORE])
+        lines = [f"{title}:"]
+        for name, summary in group.items():
+            lines += entry(summary, initial_indent=f"  {name}".ljust(_NAMES))
+        parts.append("\n".join(lines))
+    return "\n\n".join([*parts, "`neurosym COMMAND --help` says what a command does and takes."])
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
     """Return the name that a mistyped one is nearest to; nothing if none is near."""
     return next(iter(get_close_matches(name[:100], list(known), 1)), "")
-
-
-def _entry(name: str, summary: str, columns: int) -> str:
-    begin = f"  {name}".ljust(_NAMES)
-    lines = wrap(
-        summary, columns, initial_indent=begin, subsequent_indent=" " * _NAMES, break_on_hyphens=False
-    )
-    return "\n".join(lines)

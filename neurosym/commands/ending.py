@@ -4,6 +4,7 @@ import io
 import os
 import signal
 import sys
+import tempfile
 import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -15,7 +16,7 @@ from neurosym.commands.catalogue import overview
 from neurosym.errors import NAME, InvalidValue, NeurosymError, refuse_other_library, version_of
 from neurosym.stages.console import OutputClosed, be_quiet, complain, naming_output, say, width
 
-_DONE, _BAD_INPUT, NO_RESULT, _INTERRUPTED, _NOBODY_READS = 0, 2, 3, 130, 141
+_DONE, _BAD_INPUT, NO_RESULT, _NOBODY_READS = 0, 2, 3, 141
 """Exit codes; `cli` says what each means."""
 
 
@@ -32,33 +33,25 @@ _PATIENCE = 10.0  # until a command that does not end in order is ended at once 
 _IMPATIENT = 0.5  # Ctrl-C within this time after the first signal is the same one [s]
 
 
-class Ended(KeyboardInterrupt):
-    """A signal ended the command; like Ctrl-C, it is no `Exception`.
-
-    Attributes:
-        code: The exit code that says so.
-        name: What the signal is called.
-    """
+class _Ended(KeyboardInterrupt):
+    """A signal ended the command; like Ctrl-C, it is no `Exception`."""
 
     def __init__(self, number: signal.Signals):
         super().__init__(number)
-        self.code = 128 + number
-        self.name = number.name
+        self.number = number
 
 
 def say_interrupted(error: KeyboardInterrupt) -> int:
-    """Say that the command was interrupted, if there is still somebody to say it to; return its exit code."""
-    how = (
-        f"ended by {error.name}" if isinstance(error, Ended) and error.code != _INTERRUPTED else "interrupted"
-    )
-    with suppress(OSError):
-        complain(f"{how}; the same command goes on from what is written, or begins again")
-    return error.code if isinstance(error, Ended) else _INTERRUPTED
+    """Say that the command was interrupted, and return its exit code."""
+    number = error.number if isinstance(error, _Ended) else signal.SIGINT
+    how = "interrupted" if number == signal.SIGINT else f"ended by {number.name}"
+    complain(f"{how}; the same command goes on from what is written, or begins again")
+    return 128 + number
 
 
 @contextmanager
 def raised_signals() -> Iterator[None]:
-    """Raise `Ended` where a signal is heard, unless it is ignored already (as by `nohup`).
+    """Raise `_Ended` where a signal is heard, unless it is ignored already (as by `nohup`).
 
     Once a signal was heard, this process is to end, and remains deaf to others until then.
     """
@@ -71,7 +64,7 @@ def raised_signals() -> Iterator[None]:
         if not heard:
             heard.append(number)
             signal.setitimer(signal.ITIMER_REAL, _PATIENCE)
-            raise Ended(signal.Signals(number))
+            raise _Ended(signal.Signals(number))
         is_same = signal.getitimer(signal.ITIMER_REAL)[0] > _PATIENCE - _IMPATIENT
         if number == signal.SIGALRM or (number == signal.SIGINT and not is_same):
             os._exit(128 + heard[0])
@@ -109,17 +102,8 @@ def make_usable() -> None:
             stream.reconfigure(errors="backslashreplace")  # names that the encoding does not have
 
 
-def _leave_no_folders() -> None:
-    """Let nothing be left in temporary folders: torch would make one there as soon as it is imported."""
-    import tempfile
-
-    with suppress(OSError):
-        os.environ.setdefault("TORCHINDUCTOR_CACHE_DIR", tempfile.gettempdir())
-
-
 _QUIET = "--quiet"
 """What any command may be given to print nothing but what goes wrong."""
-_HELP = {"-h", "--help"}
 _NO_MEMORY = "There is not enough memory; ask for less (workers, objects, rows), or end other programs."
 _WANTS_MEMORY = (  # how torch says it, and what loads libraries
     "allocate memory",
@@ -140,60 +124,46 @@ def perform(typed: Sequence[str]) -> int:
         with raised_signals():
             try:
                 refuse_other_library()
-                _refuse_bytes(typed)
-                code = _perform(typed)
+                return _perform(typed)
             finally:
                 with naming_output():
                     sys.stdout.flush()
     except (OutputClosed, BrokenPipeError):
-        code = _NOBODY_READS
-    except NeurosymError as error:
-        code = _refuse(str(error))
-    except OSError as error:
-        code = _refuse(_told(error))
-    except MemoryError:
-        code = _refuse(_NO_MEMORY)
-    except (RuntimeError, ImportError) as error:
-        if not any(words in str(error) for words in _WANTS_MEMORY):
-            raise
-        code = _refuse(_NO_MEMORY)
+        return _NOBODY_READS
     except KeyboardInterrupt as error:
-        code = say_interrupted(error)
-    return code
+        return say_interrupted(error)
+    except NeurosymError as error:
+        complain(str(error))
+    except OSError as error:
+        complain(_told(error))
+    except (MemoryError, RuntimeError, ImportError) as error:
+        if not isinstance(error, MemoryError) and not any(words in str(error) for words in _WANTS_MEMORY):
+            raise
+        complain(_NO_MEMORY)
+    return _BAD_INPUT
 
 
 def _perform(typed: Sequence[str]) -> int:
     """Perform what was typed; to say only which this is, or what there is, next to nothing is imported."""
     be_quiet(False)
+    for word in typed:  # each is to be written down, in a record for instance
+        if word != word.encode(errors="replace").decode():
+            encoding = sys.getfilesystemencoding()
+            raise InvalidValue(f"{word!r} is no text in {encoding}; rename the file such that its name is.")
     if [*typed] == ["--version"]:
         say(f"{NAME} {version_of('neurosym')} (Python {sys.version.split()[0]})")
         return _DONE
     words = [word for word in typed if word != _QUIET]
-    if words and words[0].startswith("-") and not _HELP.isdisjoint(words):
+    if words and words[0].startswith("-") and {"-h", "--help"} & {*words}:
         say(overview(width()))
         return _DONE
     be_quiet(_QUIET in typed)
-    _leave_no_folders()
+    # torch would leave a folder among temporary ones as soon as it is imported
+    os.environ.setdefault("TORCHINDUCTOR_CACHE_DIR", tempfile.gettempdir())
     compute_in_one_thread()
     from neurosym.commands.arguments import read_arguments
 
     return read_arguments(words)()
-
-
-def _refuse(sentence: str) -> int:
-    complain(sentence, style="red")
-    return _BAD_INPUT
-
-
-def _refuse_bytes(typed: Sequence[str]) -> None:
-    """Raise unless every argument is text that can be written down, in a record for instance."""
-    for word in typed:
-        try:
-            word.encode()
-        except UnicodeEncodeError as error:
-            encoding = sys.getfilesystemencoding()
-            said = f"{word!r} is no text in {encoding}; rename the file such that its name is."
-            raise InvalidValue(said) from error
 
 
 def _told(error: OSError) -> str:

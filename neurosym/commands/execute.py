@@ -16,16 +16,15 @@ from neurosym.commands.arguments import (
     Tolerance,
     answer_in,
     check_file,
-    check_time_limit,
     opened,
 )
 from neurosym.commands.ending import NO_RESULT
 from neurosym.commands.tasks import given_plan
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, counted, quoted
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, check_extra, counted, quoted
 from neurosym.files import make_folder, write_atomically
 from neurosym.stages.console import say, say_next
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import RUNS
+from neurosym.stages.layout import DOMAIN, RECORD, RUNS, plan_files, run_file
 
 if TYPE_CHECKING:
     from neurosym.execution.record import Run
@@ -75,16 +74,11 @@ def execute(
     """
     from neurosym.commands.tables import show_run
     from neurosym.stages.execution import execute_stage, load_run
-    from neurosym.stages.layout import run_file
-    from neurosym.stages.plan_records import planned_tolerance
+    from neurosym.stages.plan_records import planned_tolerance, record_beside
 
-    check_time_limit(time_limit)
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
     plan_file = given_plan(domain, folder, name, plan_file)
-    made_for = plan_file.stem.split(".")[0]
-    if made_for != name and made_for in domain.problem_names():
-        say(f"note: {plan_file} seems to be made for {made_for}, not for {name}")
     planned = planned_tolerance(plan_file)
     if planned is not None and tolerance is None:
         within = f"within {1000 * planned:g} mm"
@@ -100,7 +94,11 @@ def execute(
         tolerance=tolerance,
         showing=_showing_of(gif, strip, gui),
     )
-    _say_how(plan_file, replanner, stage.options["replans"])
+    if stage.options["replans"] == 0:
+        more = "neurosym did not write it: --replans 10 allows new plans"
+        say(f"follows {plan_file} as it is, to its end{'' if record_beside(plan_file) else f'; {more}'}")
+    else:
+        say(f"follows {plan_file}, and asks {replanner} for a new plan where it would miss the goal")
     domain.perform(stage, again=True)
     run = load_run(domain, name, plan_file)
     if not run.plan:
@@ -111,18 +109,6 @@ def execute(
     say_next(f"neurosym replay {quoted(folder)} {quoted(record)}")
     answer(run, file=str(record), outcome=run.outcome, credit=run.credit)
     return 0 if run.reached else NO_RESULT
-
-
-def _say_how(plan_file: Path, replanner: str, replans: int | None) -> None:
-    """Say whether the plan is followed as it is, or planned anew on the way."""
-    from neurosym.stages.plan_records import record_beside
-
-    if replans == 0:
-        whose = "" if record_beside(plan_file) else "; neurosym did not write it"
-        more = f"{whose}: --replans 10 allows new plans" if whose else ""
-        say(f"follows {plan_file} as it is, to its end{more}")
-    else:
-        say(f"follows {plan_file}, and asks {replanner} for a new plan where it would miss the goal")
 
 
 def replay(
@@ -146,14 +132,12 @@ def replay(
 
     domain = opened(folder)
     if page:
-        from neurosym.errors import check_extra
-
         check_extra()
         check_file(page, "page", ".html", ".htm")
     record = _record(domain, record)
-    inside = record.resolve()
-    if inside.is_relative_to(domain.path.resolve()):
-        for remark in domain.outdated((inside.relative_to(domain.path.resolve()).as_posix(),)):
+    inside, home = record.resolve(), domain.path.resolve()
+    if inside.is_relative_to(home):
+        for remark in domain.outdated((inside.relative_to(home).as_posix(),)):
             say(f"note: {remark}")
     showing = _showing_of(gif, strip, gui)
     if page:
@@ -161,21 +145,20 @@ def replay(
     else:
         run, agreement = replay_run(domain, record, showing)
     _say_written(gif, strip, page)
-    if agreement.course == "another":
+    happened = f"the same happened again in {counted(len(run.steps), 'step')}"
+    if agreement.course == "same bytes":
+        say(f"{happened}, byte for byte; {run.outcome}; {run.credit}")
+        return 0
+    is_other = agreement.course == "another"
+    if is_other:
         by = f", by {1000 * agreement.apart:.2g} mm" if math.isfinite(agreement.apart) else ""
         say(f"something else happened than {record} says, first in {agreement.where}{by}")
-        say(_machines(run))
-        return NO_RESULT
-    steps = counted(len(run.steps), "step")
-    goal = f"{run.outcome}; {run.credit}"
-    if agreement.course == "same bytes":
-        say(f"the same happened again in {steps}, byte for byte; {goal}")
-        return 0
-    by = f"lengths differ by {1000 * agreement.apart:.1g} mm at most, first in {agreement.where}"
-    say(f"the same happened again in {steps}, within a micrometre; {goal}")
-    say(f"not byte for byte: {by}")
+    else:
+        say(f"{happened}, within a micrometre; {run.outcome}; {run.credit}")
+        by = f"lengths differ by {1000 * agreement.apart:.1g} mm at most, first in {agreement.where}"
+        say(f"not byte for byte: {by}")
     say(_machines(run))
-    return 0
+    return NO_RESULT if is_other else 0
 
 
 def _replayed_on_page(
@@ -186,17 +169,17 @@ def _replayed_on_page(
 
     from neurosym.stages.execution import replay_run
     from neurosym.stages.planning import load_problem
-    from neurosym.studio.desk import Library
-    from neurosym.studio.messages import Controls, Onlooker
-    from neurosym.studio.view import Reel, film_of
+    from neurosym.studio.library import Library
+    from neurosym.studio.messages import Controls, Onlooker, Seen
+    from neurosym.studio.view import film_of
 
-    library, reel = Library(domain, domain.path.name), Reel()
-    looking_on = replace(showing, audience=Onlooker(reel, Controls(speed=0.0), pace=0.0))
+    library, told = Library(domain, domain.path.name), list[object]()
+    looking_on = replace(showing, audience=Onlooker(told.append, Controls(speed=0.0), pace=0.0))
     run, agreement = replay_run(domain, record, looking_on)
-    if reel.seen:
+    if seen := [one for one in told if isinstance(one, Seen)]:
         rich.get_console().quiet = True  # on which the server of pages announces itself
         problem = load_problem(domain, run.problem).within(run.tolerance)
-        write_atomically(page, film_of(library, problem, reel.seen, run.steps))
+        write_atomically(page, film_of(library, problem, seen, run.steps))
     else:
         say("no page: nothing moves in this run")
     return run, agreement
@@ -216,8 +199,6 @@ def _machines(run: "Run") -> str:
 
 def _record(domain: DomainFolder, typed: Path) -> Path:
     """Find the record of a run that was typed as a file, or as a name."""
-    from neurosym.stages.layout import RECORD
-
     if typed.exists() and not typed.is_dir():
         return typed
     known = {path.name.removesuffix(RECORD): path for path in (domain / RUNS).glob(f"*{RECORD}")}
@@ -228,7 +209,7 @@ def _record(domain: DomainFolder, typed: Path) -> Path:
     raise UnknownChoice("record of a run", str(typed), known)
 
 
-DOMAIN, PROBLEM = "places", "swap-2-07"
+_SHIPPED, _TASK = "places", "swap-2-07"
 """Two objects stand where the other is to stand: one steps aside, so the plan has three steps."""
 
 
@@ -243,35 +224,27 @@ def demo(
     """
     from neurosym.commands.learn import compile_domain
     from neurosym.commands.tasks import plan
-    from neurosym.stages.layout import plan_files
 
-    folder = _copied(output)
-    plan_file = folder / plan_files(PROBLEM, "fast-downward")[0]
-    gif, strip = (output / f"{PROBLEM}{ending}" for ending in (".gif", ".png"))
-    _say_command("compile-domain", folder)
+    def say_command(*words: str | Path) -> None:
+        say(f"\n$ neurosym {' '.join(map(quoted, words))}")
+
+    folder = output / _SHIPPED  # what an earlier demonstration left is used again
+    make_folder(output)
+    if not folder.exists() and not copy_shipped(_SHIPPED, folder):
+        raise InvalidValue("No domain came with this installation; install neurosym-pddl again.")
+    plan_file = folder / plan_files(_TASK, "fast-downward")[0]
+    gif, strip = (output / f"{_TASK}{ending}" for ending in (".gif", ".png"))
+    say_command("compile-domain", folder)
     compile_domain(folder)
-    say(f"{PROBLEM} came with the domain: two objects are to change places")
-    _say_command("plan", folder, PROBLEM)
-    if code := plan(folder, PROBLEM):
+    say(f"{_TASK} came with the domain: two objects are to change places")
+    say_command("plan", folder, _TASK)
+    if code := plan(folder, _TASK):
         return code
-    _say_command("execute", folder, PROBLEM, plan_file, "--gif", gif, "--strip", strip)
-    code = execute(folder, PROBLEM, plan_file, gif=gif, strip=strip)
-    say(f"look at {gif} and {strip}, and read {folder / 'domain.pddl'}")
+    say_command("execute", folder, _TASK, plan_file, "--gif", gif, "--strip", strip)
+    code = execute(folder, _TASK, plan_file, gif=gif, strip=strip)
+    say(f"look at {gif} and {strip}, and read {folder / DOMAIN}")
     say_next(f"neurosym report {quoted(folder)}")
     return code
-
-
-def _copied(output: Path) -> Path:
-    """Copy the domain; what an earlier demonstration left is used again, and nothing is removed."""
-    target = output / DOMAIN
-    make_folder(output)
-    if not target.exists() and not copy_shipped(DOMAIN, target):
-        raise InvalidValue("No domain came with this installation; install neurosym-pddl again.")
-    return target
-
-
-def _say_command(*words: str | Path) -> None:
-    say(f"\n$ neurosym {' '.join(quoted(word) for word in words)}")
 
 
 def _showing_of(gif: Path | None, strip: Path | None, gui: bool) -> "Showing":

@@ -1,11 +1,10 @@
-"""Commands that show what is there (`show`, `report`, `explain`) and measure it (`compare`, `evaluate`)."""
+"""Commands that show what is there (`show`, `report`, `explain`) and compare planners (`compare`)."""
 
-import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Optional
+from typing import TYPE_CHECKING, Annotated, Optional
 
-from tyro.conf import Positional, arg
+from tyro.conf import arg
 
 from neurosym.choices import TOLERANCE
 from neurosym.commands.arguments import (
@@ -18,21 +17,17 @@ from neurosym.commands.arguments import (
     Workers,
     answer_in,
     check_file,
-    check_least,
-    check_time_limit,
     opened,
 )
 from neurosym.errors import InvalidValue, counted, quoted
 from neurosym.files import check_writable, make_folder, write_atomically, write_json
 from neurosym.stages.console import progress_bar, say, say_next, show_table
-from neurosym.stages.folder import Claim, DomainFolder
+from neurosym.stages.folder import Claim, DomainFolder, rehearsal_options
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PAGE, PICTURES, WORLD
 
 if TYPE_CHECKING:
-    from neurosym.evaluation.paper_tables import Table
     from neurosym.evaluation.summary import Comparison
     from neurosym.pictures.motions import Motion
-    from neurosym.stages.verdicts import Verdict
     from neurosym.world import Outcome, World
 
 
@@ -117,7 +112,6 @@ def _learned(
     from neurosym.grounding import Grounding
     from neurosym.learning.network import EffectModel
     from neurosym.pictures.motions import operator_motions, operators_of, pair_motion
-    from neurosym.stages.folder import rehearsal_options
     from neurosym.stages.problem_making import sight_of_pairs
 
     grounding = Grounding.load(domain.require(GROUNDING))
@@ -127,8 +121,7 @@ def _learned(
     asked = by_name if primitive is None else operators_of(grounding, primitive)
     categorise = EffectModel.load(domain.require(MODEL)).object_symbols
     objects, seed = rehearsal_options(domain.manifest())
-    drawn: dict[str, Any] = {"categorise": categorise, "objects": objects, "seed": seed}
-    return operator_motions(world, grounding, asked, **drawn)
+    return operator_motions(world, grounding, asked, categorise=categorise, objects=objects, seed=seed)
 
 
 def _show_motions(
@@ -161,9 +154,6 @@ def _picture_path(domain: DomainFolder, name: str, output: Path | None) -> Path:
     return path
 
 
-_MEGABYTE = 1e6
-
-
 def report(
     folder: Folder,
     output: Annotated[
@@ -177,9 +167,7 @@ def report(
     Pictures are made once, by performing primitives and runs again.
     """
     from neurosym.report.html_page import gather, render
-    from neurosym.worlds.workers import check_workers
 
-    check_workers(workers)
     domain = opened(folder)
     path = output or domain / PAGE
     check_file(path, "page", ".html")
@@ -187,7 +175,7 @@ def report(
         page = gather(domain, advance, workers=workers)
     text = render(page)
     write_atomically(path, text)
-    say(f"wrote {path} ({len(text) / _MEGABYTE:.1f} MB)")
+    say(f"wrote {path} ({len(text) / 1e6:.1f} MB)")
     say(f"next: open {path} in a browser")
     return 0
 
@@ -220,10 +208,10 @@ def explain(
     first = explanation.actions[0].symbol if explanation.actions else ""
     if not output and is_long(explanation):
         say_next(f"neurosym explain {quoted(folder)} --symbol {first}")
-    elif first and (domain / GROUNDING).is_file() and (domain / WORLD).is_file():
-        say_next(f"neurosym show {quoted(folder)} --primitive {first}")
     elif first and (domain / WORLD).is_file():
-        say_next(f"neurosym compile-domain {quoted(folder)}")
+        show = f"show {quoted(folder)} --primitive {first}"
+        is_compiled = (domain / GROUNDING).is_file()
+        say_next(f"neurosym {show if is_compiled else f'compile-domain {quoted(folder)}'}")
     answer(explanation)
     return 0
 
@@ -249,20 +237,16 @@ def compare(
     the planner that made it. Interrupt it when you like: what is measured is kept in DIR/comparison, and the
     same command goes on.
     """
-    from neurosym.commands.tables import show_verdict
-    from neurosym.evaluation.comparison import Order, check_planners, compare_tasks
+    from neurosym.evaluation.comparison import Order, compare_tasks
     from neurosym.evaluation.summary import summarise
-    from neurosym.files import write_json
-    from neurosym.worlds.workers import check_workers
+    from neurosym.planners.registry import planner_named
+    from neurosym.stages.verdicts import Tries, judge_tries
 
-    check_workers(workers)
-    check_least(1, tasks=tasks, objects=objects)
-    check_least(0, seed=seed)
-    check_time_limit(time_limit)
-    if not 0 < tolerance < math.inf:
-        raise InvalidValue(f"tolerance = {tolerance} must be a number greater than 0.")
     answer, planners = answer_in(json), tuple(dict.fromkeys(planners))
-    check_planners(planners, folder)
+    if not planners:
+        raise InvalidValue("Name at least one planner; `neurosym planners` lists them.")
+    for name in planners:
+        planner_named(name, folder)
     domain = opened(folder)
     order = Order(domain.path, objects, planners, tolerance, time_limit, task)
     records = []
@@ -270,59 +254,47 @@ def compare(
         for record in compare_tasks(order, range(seed, seed + tasks), workers=workers):
             records.append(record)
             advance(len(records), tasks)
-    comparison = summarise(records, planners)
-    write_json(order.place / "comparison.json", comparison)
+    comparison, file = summarise(records, planners), order.place / "comparison.json"
+    write_json(file, comparison)
     kind = f"{counted(objects, 'object')}, {1000 * tolerance:g} mm" + (f", {task}" if task else "")
     seeds = f"seed {seed}" if tasks == 1 else f"seeds {seed} to {seed + tasks - 1}"
-    title = f"{counted(comparison.counted, 'task')} drawn with {seeds}, {kind}"
-    _show(comparison, title)
-    say(f"wrote {order.place / 'comparison.json'}, and a file for each task")
-    verdict = _judged(comparison, tolerance)
-    show_verdict(verdict)
-    like = "" if objects == 1 else f" --objects {objects}"
-    like += "" if task is None else f" --task {task}"
-    like += "" if tolerance == TOLERANCE else f" --tolerance {tolerance:g}"
-    say_next(f"neurosym new-problem {quoted(folder)} --name mine --seed {seed}{like}")
-    answer(comparison, file=str(order.place / "comparison.json"), verdict=verdict)
-    return 0
-
-
-def _judged(comparison: "Comparison", tolerance: float) -> "Verdict":
-    from neurosym.stages.verdicts import Tries, judge_tries
-
+    _show(comparison, f"{counted(comparison.counted, 'task')} drawn with {seeds}, {kind}")
+    say(f"wrote {file}, and a file for each task")
     tries = {
         name: Tries(tally.reached_with_replanning, tally.found, comparison.counted)
         for name, tally in comparison.planners.items()
     }
-    return judge_tries(tries, how="with replanning", tolerance=tolerance)
+    verdict = judge_tries(tries, how="with replanning", tolerance=tolerance)
+    for line in verdict.lines:
+        say(line)
+    like = "" if objects == 1 else f" --objects {objects}"
+    like += "" if task is None else f" --task {task}"
+    like += "" if tolerance == TOLERANCE else f" --tolerance {tolerance:g}"
+    say_next(f"neurosym new-problem {quoted(folder)} --name mine --seed {seed}{like}")
+    answer(comparison, file=str(file), verdict=verdict)
+    return 0
 
 
 def _show(comparison: "Comparison", title: str) -> None:
     """Print how each planner did, and why where it did not."""
-    tasks = max(comparison.counted, 1)
-    columns = [title, *comparison.planners]
-    shares = {
-        "plan found": "found",
-        "valid in the model": "valid",
-        "predicted to arrive by the network": "predicted",
-        "reached, followed blindly": "reached",
-        "reached with replanning": "reached_with_replanning",
-    }
+    tasks, tallies = max(comparison.counted, 1), comparison.planners.values()
+
+    def shares(field: str) -> Iterator[str]:
+        return (f"{getattr(tally, field) / tasks:.0%}" for tally in tallies)
+
     rows = [
-        [words, *(f"{getattr(tally, field) / tasks:.0%}" for tally in comparison.planners.values())]
-        for words, field in shares.items()
+        ["plan found", *shares("found")],
+        ["valid in the model", *shares("valid")],
+        ["predicted to arrive by the network", *shares("predicted")],
+        ["reached, followed blindly", *shares("reached")],
+        ["reached with replanning", *shares("reached_with_replanning")],
+        ["primitives, mean", *("-" if one.steps is None else f"{one.steps:.2f}" for one in tallies)],
+        ["planning, median [s]", *("-" if one.seconds is None else f"{one.seconds:.3f}" for one in tallies)],
+        ["own steps of those performed then", *(f"{one.own} of {one.performed}" for one in tallies)],
     ]
-    tallies = comparison.planners.values()
-    rows.append(["primitives, mean", *("-" if t.steps is None else f"{t.steps:.2f}" for t in tallies)])
-    rows.append(
-        ["planning, median [s]", *("-" if t.seconds is None else f"{t.seconds:.3f}" for t in tallies)]
-    )
-    rows.append(["own steps of those performed then", *(f"{t.own} of {t.performed}" for t in tallies)])
-    show_table("the same tasks to each planner", columns, rows)
+    show_table("the same tasks to each planner", [title, *comparison.planners], rows)
     if comparison.met_at_start:
-        more = comparison.met_at_start
-        said = "task needs no step and is" if more == 1 else "tasks need no step and are"
-        say(f"{more} more {said} not counted")
+        say(f"met at the start, and not counted: {counted(comparison.met_at_start, 'more task')}")
     say(f"no plan by any of them: {comparison.solved_by_none} of {counted(comparison.counted, 'task')}")
     for name, tally in comparison.planners.items():
         for words, reasons in (
@@ -333,65 +305,3 @@ def _show(comparison: "Comparison", title: str) -> None:
         ):
             for reason, count in reasons.items():
                 say(f"  {name}: {words}: {reason} ({count})")
-
-
-def evaluate(
-    folders: Annotated[
-        Positional[tuple[Path, ...]], arg(metavar="DIR...", help="Domain folders, say of several seeds.")
-    ],
-    test: Annotated[
-        Optional[Path],
-        arg(
-            metavar="DATA",
-            help="Interactions that errors are measured on, best random ones: an .npz file or a folder.",
-        ),
-    ] = None,
-    output: Annotated[
-        Optional[Path], arg(metavar="FILE", help="Also write the tables here, as .md or .json.")
-    ] = None,
-    workers: Workers = CPUS,
-) -> int:
-    """Print the paper's Tables I (errors), II (primitives) and III (planning).
-
-    Folders are grouped by strategy: mean and standard deviation over those of each. The primitives of a
-    folder are rehearsed once, to judge their kinds (`kinds.json`); Table III is of what `neurosym compare`
-    left there.
-    """
-    from neurosym.data.interactions import Interactions
-    from neurosym.evaluation.paper_tables import measure, tables
-    from neurosym.worlds.workers import check_workers
-
-    if not folders:
-        raise InvalidValue("Name at least one domain folder.")
-    check_workers(workers)
-    check_file(output, "tables", ".md", ".json")
-    domains = [opened(folder) for folder in dict.fromkeys(folders)]
-    for domain in domains:
-        domain.require(INTERACTIONS)
-    path = test / INTERACTIONS if test and test.is_dir() else test
-    data = Interactions.load(path) if path else None
-    measured = []
-    for domain in domains:
-        with progress_bar("rehearsing") as advance:
-            measured.append(measure(domain, data, workers=workers, progress=advance))
-    found = tables(measured, test)
-    for table in found:
-        show_table(table.title, table.columns, table.rows)
-        say(table.remark)
-    if output:
-        if output.suffix == ".json":
-            write_json(output, {"folders": measured, "tables": found})
-        else:
-            write_atomically(output, _page(found))
-        say(f"wrote {output}")
-    return 0
-
-
-def _page(tables: "tuple[Table, ...]") -> str:
-    from neurosym.evaluation.summary import markdown_table
-
-    parts = [
-        f"## {table.title}\n\n{table.remark}\n\n{markdown_table(table.columns, table.rows)}"
-        for table in tables
-    ]
-    return "\n\n".join(parts) + "\n"

@@ -10,14 +10,13 @@ from tyro.conf import Positional, arg
 
 from neurosym.choices import DOMAINS, shipped_domain
 from neurosym.commands.arguments import opened
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, check_extra
 from neurosym.stages.console import say
 from neurosym.stages.folder import DomainFolder
 
 if TYPE_CHECKING:
-    from neurosym.studio.desk import Library
+    from neurosym.studio.library import Library
 
-_LARGEST_PORT = 65535
 _LOOK_UP = 1.0  # how long the main thread waits at a time [s]
 
 
@@ -39,11 +38,9 @@ def studio(
     It needs no network, and ends with Ctrl-C. Nothing is written into a shipped domain. Each browser has a
     page of its own, so that a class can share one address.
     """
-    from neurosym.errors import check_extra
-
-    if not 0 <= port <= _LARGEST_PORT:
-        raise InvalidValue(f"port = {port} must be 0 to {_LARGEST_PORT}.")
     check_extra()
+    import webbrowser
+
     import rich
 
     rich.get_console().quiet = True  # on which the server of pages announces itself
@@ -58,8 +55,9 @@ def studio(
         if not running.front.is_local:
             say("note: anybody who can reach this machine and has the address can move the robot")
         say("Ctrl-C ends it")
-        if not no_browser:
-            _open_browser(running.address)
+        # a browser in the terminal would take it over, so one is opened only in a window
+        if not no_browser and (sys.platform != "linux" or {"DISPLAY", "WAYLAND_DISPLAY"} & {*os.environ}):
+            threading.Thread(target=webbrowser.open, args=(running.address,), daemon=True).start()
         never = threading.Event()
         while not never.wait(_LOOK_UP):
             pass  # a signal that comes just before a wait is heard after it
@@ -72,7 +70,7 @@ def studio(
 
 def _library(folder: Path | None) -> "Library":
     """Read the domain: a folder, or a shipped one by its name, which is only read."""
-    from neurosym.studio.desk import Library
+    from neurosym.studio.library import Library
 
     name = folder.name if folder is not None else DOMAINS[0]
     shipped = shipped_domain(name)
@@ -82,12 +80,3 @@ def _library(folder: Path | None) -> "Library":
         raise InvalidValue("No domain came with this installation; name a domain folder.")
     is_shipped = shipped is not None and folder.resolve() == shipped.resolve()
     return Library(opened(folder), folder.resolve().name, is_shipped=is_shipped)
-
-
-def _open_browser(address: str) -> None:
-    """Open a browser with a window, if there is one; a browser in the terminal would take it over."""
-    import webbrowser
-
-    if sys.platform == "linux" and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
-        return
-    threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()

@@ -1,4 +1,4 @@
-"""Tables for the command line: how well a model fits, what operators do, what became of plans."""
+"""What was learned and done, as tables and sentences: models, operators, data, runs, explanations."""
 
 import math
 import textwrap
@@ -13,17 +13,9 @@ from neurosym.errors import counted, harmless, listed_briefly
 from neurosym.execution.record import Run
 from neurosym.files import read_json
 from neurosym.learning.training import TrainingReport, empty_codes, error_table
-from neurosym.operators import (
-    CONVERGED,
-    NO_EFFECT,
-    Effect,
-    Operator,
-    OperatorTable,
-    name_axes,
-    names_of_features,
-)
+from neurosym.operators import CONVERGED, NO_EFFECT, Effect, OperatorTable, name_axes, names_of_features
 from neurosym.pair_operators import RelationOperators
-from neurosym.report.symbol_words import EffectRow, Explanation
+from neurosym.report.symbols import EffectRow, Explanation
 from neurosym.stages.console import say, show_table, width
 from neurosym.stages.verdicts import Verdict, judge_training
 from neurosym.tasks.transition import PlanStep, primitives
@@ -58,11 +50,19 @@ def show_verdict(verdict: Verdict) -> None:
 
 def show_operators(table: OperatorTable) -> None:
     """Print what each primitive does to each category."""
-    trials = "rehearsals" if table.measured == "rehearsal" else "rows"
-    measures = ["effect [mm]", "spread [mm]"] if table.axes == 3 else ["effect", "spread"]
-    columns = ["operator", trials, "as promised", "ends", *measures]
-    title = "operators" if table.measured == "rehearsal" else "operators, averaged from the data"
-    show_table(title, columns, [_operator_row(operator) for operator in table.operators])
+    is_rehearsed, unit = table.measured == "rehearsal", " [mm]" if table.axes == 3 else ""
+    columns = ["operator", "rehearsals" if is_rehearsed else "rows", "as promised", "ends"]
+    rows = []
+    for operator in table.operators:
+        row, promise = [operator.name, str(operator.trials)], operator.promise
+        if promise:
+            row += [str(operator.successes), f"{promise.kind} {promise.share:.0%}"]
+            row += [_told(effect, in_mm=bool(unit)) for effect in (promise.outcome, promise.scatter)]
+        else:
+            row += ["0", "never at rest or held", "", ""]
+        rows.append(row)
+    title = "operators" if is_rehearsed else "operators, averaged from the data"
+    show_table(title, [*columns, f"effect{unit}", f"spread{unit}"], rows)
     if table.unreached:
         say(f"no action was found that encodes to {listed_briefly(table.unreached)}")
     for primitive in table.primitives:
@@ -76,7 +76,7 @@ def show_operators(table: OperatorTable) -> None:
 def show_relations(table: RelationOperators) -> None:
     """Print the states that pairs of objects can be in, and what brings pairs of each kind into them."""
     states = [
-        [state.name, f"{state.share:.0%}", "yes" if state.bears else "", _plain(state.centre)]
+        [state.name, f"{state.share:.0%}", "yes" if state.bears else "", _told(state.centre)]
         for state in table.states
     ]
     show_table("states of pairs", ["state", "of fresh pairs", "borne", "typical"], states)
@@ -91,16 +91,18 @@ def show_relations(table: RelationOperators) -> None:
 
 def show_data(interactions: Interactions, path: Path) -> None:
     """Print what a data set holds: its size, the range of each column, and how much happens in it."""
-    given, axes = interactions.origin.get("feature_names", ()), name_axes(interactions.effects.shape[1])
-    grippers = interactions.origin.get("gripper_columns", ())
-    actions = [
-        f"gripper {n + 1}" if n in grippers else f"a{n + 1}" for n in range(interactions.actions.shape[1])
-    ]
-    rows = [
-        *_column_rows("features", names_of_features(interactions.features.shape[1], given), interactions),
-        *_column_rows("actions", actions, interactions),
-        *_column_rows("effects", axes, interactions),
-    ]
+    origin, columns = interactions.origin, interactions.columns
+    grippers, of_actions = origin.get("gripper_columns", ()), range(columns["actions"].shape[1])
+    names = {
+        "features": names_of_features(columns["features"].shape[1], origin.get("feature_names", ())),
+        "actions": [f"gripper {n + 1}" if n in grippers else f"a{n + 1}" for n in of_actions],
+        "effects": name_axes(columns["effects"].shape[1]),
+    }
+    rows = []
+    for array, named in names.items():
+        for n, (name, values) in enumerate(zip(named, columns[array].astype(np.float64).T, strict=True)):
+            figures = (values.min(), values.mean(), values.max(), values.std())
+            rows.append([f"{array}[:, {n}]", name, *(f"{figure:.4g}" for figure in figures)])
     title = f"{path}: {len(interactions)} interactions"
     show_table(title, ["column", "name", "least", "mean", "greatest", "spread"], rows)
     moved = np.mean(np.linalg.norm(interactions.effects, axis=1) > NO_EFFECT)
@@ -108,52 +110,29 @@ def show_data(interactions: Interactions, path: Path) -> None:
     say(f"with an effect above {NO_EFFECT:g}: {moved:.0%}; {', '.join(shares)}")
 
 
-def _column_rows(array: str, names: Sequence[str], interactions: Interactions) -> list[list[str]]:
-    columns = interactions.columns[array].astype(np.float64)
-    figures = (columns.min(0), columns.mean(0), columns.max(0), columns.std(0))
-    return [
-        [f"{array}[:, {n}]", name, *(f"{values[n]:.4g}" for values in figures)]
-        for n, name in enumerate(names)
-    ]
-
-
-def _operator_row(operator: Operator) -> list[str]:
-    promise = operator.promise
-    row = [operator.name, str(operator.trials)]
-    if promise is None:
-        return [*row, "0", "never at rest or held", "", ""]
-    ends = f"{promise.kind} {promise.share:.0%}"
-    tell = _millimetres if len(promise.outcome) == 3 else _plain
-    measured = [tell(promise.outcome), tell(promise.scatter)]
-    return [*row, str(operator.successes), ends, *measured]
-
-
 def show_run(run: Run) -> None:
     """Print for each step what was promised and what happened, and whether the goal was reached."""
-    rows = [
-        [
-            str(number),
-            " ".join((step.operator, step.object, *([step.place or ""] if step.promised_state else []))),
-            f"{step.promised_state or step.promised} {_millimetres(step.promised_effect)}"
-            if step.promised_effect
-            else "nothing",
-            f"{step.state or step.happened} {_millimetres(step.effect)}",
-            "" if step.apart is None else f"{1000 * step.apart:.0f}",
-            "yes" if step.as_promised else "no",
-        ]
-        for number, step in enumerate(run.steps, 1)
-    ]
+    rows = []
+    for number, step in enumerate(run.steps, 1):
+        words = (step.operator, step.object, *([step.place or ""] if step.promised_state else []))
+        promised, happened = step.promised_state or step.promised, step.state or step.happened
+        effect = (
+            f"{promised} {_told(step.promised_effect, in_mm=True)}" if step.promised_effect else "nothing"
+        )
+        apart = "" if step.apart is None else f"{1000 * step.apart:.0f}"
+        seen, is_so = f"{happened} {_told(step.effect, in_mm=True)}", "yes" if step.as_promised else "no"
+        rows.append([str(number), " ".join(words), effect, seen, apart, is_so])
     columns = ["", "step", "promised [mm]", "happened [mm]", "apart [mm]", "as promised"]
     show_table(f"run of {run.problem}: {run.credit}", columns, rows)
     if any(step.promised_state for step in run.steps):
         say("what is put on or into another object is seen from that")
     if any(step.place and not step.promised_state for step in run.steps):
         say("what is carried is seen from the point that the hand aimed at; all else from where it stood")
-    if run.replannings:
-        say(f"planned anew {counted(len(run.replannings), 'time')}")
     for nudge in run.nudges:
         by = 1000 * math.hypot(*nudge.by)
         say(f"before step {nudge.before_step} {nudge.object} was nudged by {by:.0f} mm")
+    if run.replannings:
+        say(f"planned anew {counted(len(run.replannings), 'time')}")
     for new in run.replannings:
         count = counted(primitives(PlanStep(*step) for step in new.plan), "primitive")
         found = count if new.plan else new.reason or "nothing is left to do"
@@ -171,12 +150,9 @@ def show_run(run: Run) -> None:
     say(f"{run.outcome}{said}; {run.credit}")
 
 
-def _plain(effect: Effect) -> str:
-    return "(" + ", ".join(f"{value:.3g}" for value in effect) + ")"
-
-
-def _millimetres(vector: Effect) -> str:
-    return "(" + ", ".join(f"{1000 * value:.0f}" for value in vector) + ")"
+def _told(effect: Effect, *, in_mm: bool = False) -> str:
+    """Write a vector, which is in metres if it is to be told in millimetres."""
+    return f"({', '.join(f'{1000 * value:.0f}' if in_mm else f'{value:.3g}' for value in effect)})"
 
 
 _WIDEST = 110  # columns of running text
@@ -198,19 +174,21 @@ def is_long(explanation: Explanation) -> bool:
 
 def show_explanation(explanation: Explanation) -> None:
     """Print an explanation for a terminal; of many symbols only what each is called."""
-    for line in explanation.summary:
-        _say_wrapped(line)
+    is_brief, lines = is_long(explanation), [*explanation.summary]
     for name, symbols in explanation.parts.items():
         for symbol in symbols:
-            if is_long(explanation):
-                _say_wrapped(f"  {symbol.symbol}: {symbol.title}")
+            if is_brief:
+                lines.append(f"  {symbol.symbol}: {symbol.title}")
                 continue
-            say("")
-            _say_wrapped(f"{_KINDS[name]} symbol {symbol.symbol}: {symbol.title}")
-            for line in filter(None, (symbol.about, *_effects(symbol.effects))):
-                _say_wrapped(f"  {line}")
-    if is_long(explanation):
-        _say_wrapped("With --symbol all that is known of one is said, and --output FILE.md writes all of it.")
+            lines += ["", f"{_KINDS[name]} symbol {symbol.symbol}: {symbol.title}"]
+            lines += [f"  {line}" for line in (symbol.about, *_effects(symbol.effects)) if line]
+    if is_brief:
+        lines.append("With --symbol all that is known of one is said, and --output FILE.md writes all of it.")
+    # names are to be copied, so none is broken
+    folding = textwrap.TextWrapper(min(width(), _WIDEST), break_long_words=False, break_on_hyphens=False)
+    for line in lines:
+        folding.subsequent_indent = " " * (len(line) - len(line.lstrip()))
+        say(folding.fill(line))
 
 
 def explanation_page(explanation: Explanation, title: str) -> str:
@@ -230,22 +208,10 @@ def _effects(effects: Sequence[EffectRow]) -> Iterator[str]:
     before = ""
     for row in effects:
         if row.operator != before:
-            yield f"- {row.operator} ({row.trials} trials, {row.promised} as promised{_domain(row)})"
+            domain = f", in the domain{row.domain.removeprefix('yes')}" if row.domain else ""
+            if row.domain.startswith("no"):
+                domain = f", not in the domain{row.domain.removeprefix('no')}"
+            yield f"- {row.operator} ({row.trials} trials, {row.promised} as promised{domain})"
         before = row.operator
         effect = f": {row.effect} ({row.spread})" if row.effect else ""
         yield f"    - {row.share:.0%} {row.ends}{effect}"
-
-
-def _domain(row: EffectRow) -> str:
-    if not row.domain:
-        return ""
-    return ", in the domain" if row.domain == "yes" else f", not in the domain{row.domain.removeprefix('no')}"
-
-
-def _say_wrapped(text: str) -> None:
-    """Print text between words, and never broken within a name."""
-    indent = " " * (len(text) - len(text.lstrip()))
-    for line in textwrap.wrap(
-        text, min(width(), _WIDEST), subsequent_indent=indent, break_long_words=False, break_on_hyphens=False
-    ):
-        say(line)

@@ -17,19 +17,17 @@ from neurosym.commands.arguments import (
     Tolerance,
     answer_in,
     check_file,
-    check_time_limit,
     opened,
 )
 from neurosym.commands.ending import NO_RESULT
 from neurosym.errors import InvalidFile, InvalidValue, counted, quoted
-from neurosym.files import make_folder, read_text, write_atomically
+from neurosym.files import MOST_TEXT, make_folder, read_text, write_atomically
 from neurosym.stages.console import be_quiet, is_quiet, print_raw, say, say_next, show_table
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, PLANS, WORLD, problem_files, scene_file
 
 if TYPE_CHECKING:
     from neurosym.stages.plan_records import PlanRecord
-    from neurosym.stages.verdicts import PlanVerdict
 
 
 def new_problem(
@@ -81,7 +79,6 @@ def new_problem(
     each on or in one of its own. `unstack` asks for a stack to be sorted so, and `exchange` for two borne
     things to change places. With `--scene` it is all yours: the file is checked, copied and printed as PDDL.
     """
-    from neurosym.files import digest
     from neurosym.problems import check_names
     from neurosym.stages.problem_making import Asked, problem_stage, scene_stage
 
@@ -104,13 +101,10 @@ def new_problem(
         relations=tuple(map(_parse_relation, relation)),
         state=state or "",
     )
-    if name is not None:
-        check_names((name,))
+    check_names((name,) if name is not None else ())
     with domain.naming_problems():
         name = name or (_name_of(scene, domain) if scene else domain.free_problem_name())
         check_names((name,))
-        made = folder / scene_file(name)
-        before = digest(made) if made.is_file() else None
         verb = "replaced" if name in domain.problem_names() else "wrote"
         if scene:
             stage = scene_stage(domain, scene, name=name, tolerance=tolerance)
@@ -118,8 +112,6 @@ def new_problem(
             stage = problem_stage(domain, name, asked)
         domain.perform(stage, again=True)
     _say_made(domain, folder, name, verb)
-    if before != digest(made) and (stale := domain.made_for(name)):
-        say(f"note: made for the former {name}, and stale now: {', '.join(stale)}")
     say_next(f"neurosym plan {quoted(folder)} {name}")
     return 0
 
@@ -127,11 +119,10 @@ def new_problem(
 def _say_made(domain: DomainFolder, folder: Path, name: str, verb: str) -> None:
     from neurosym.grounding import Grounding
     from neurosym.problems import Problem
-    from neurosym.tasks.supports import is_reached
+    from neurosym.tasks.task import is_reached
 
     problem = Problem.load(domain / scene_file(name))
-    printed = problem_files(name)[0]
-    say(f"{verb} {folder / printed} and its scene")
+    say(f"{verb} {folder / problem_files(name)[0]} and its scene")
     if is_reached(problem, Grounding.load(domain / GROUNDING)):
         say(f"note: it is met at the start, within {1000 * problem.tolerance:g} mm")
     for target, other, state in problem.related:
@@ -152,18 +143,17 @@ def _name_of(scene: Path, domain: DomainFolder) -> str:
 
 
 def _parse_goals(texts: tuple[str, ...]) -> dict[str, tuple[float, ...]]:
-    goals = dict(map(_parse_goal, texts))
-    if len(goals) < len(texts):
-        raise InvalidValue(f"An object has two goals in {' '.join(texts)}; give each object one.")
+    goals = dict[str, tuple[float, ...]]()
+    for text in texts:
+        name, _, numbers = text.partition("=")
+        if name in goals:
+            raise InvalidValue(f"An object has two goals in {' '.join(texts)}; give each object one.")
+        try:
+            goals[name] = tuple(map(float, numbers.split(",")))
+        except ValueError as error:
+            said = f"The goal {text!r} cannot be read; write it as item-01=0.60,0.10."
+            raise InvalidValue(said) from error
     return goals
-
-
-def _parse_goal(text: str) -> tuple[str, tuple[float, ...]]:
-    name, _, numbers = text.partition("=")
-    try:
-        return name, tuple(float(number) for number in numbers.split(","))
-    except ValueError as error:
-        raise InvalidValue(f"The goal {text!r} cannot be read; write it as item-01=0.60,0.10.") from error
 
 
 def _parse_relation(text: str) -> tuple[str, str, str]:
@@ -184,12 +174,8 @@ def given_plan(
 ) -> Path:
     """Return the file of a plan that was given; what standard input holds is written into the folder first.
 
-    Args:
-        folder: The domain folder.
-        typed: The same as it was typed.
-        name: Name of the problem.
-        plan_file: The plan's file, or `_STANDARD`.
-        must_fit: Whether what standard input holds must be a plan for the problem.
+    The folder is there as it was `typed`, too. If it `must_fit`, what standard input holds is a plan for the
+    problem of that name.
 
     Raises:
         InvalidFile: If it is no file, or holds no plan for the problem.
@@ -207,13 +193,12 @@ def given_plan(
 
 
 def _saved_plan(folder: DomainFolder, name: str, must_fit: bool) -> Path:
-    from neurosym.files import MOST_TEXT
     from neurosym.grounding import Grounding
     from neurosym.pddl.plan_reading import parse_plan
     from neurosym.stages.planning import load_problem
     from neurosym.worlds.world_file import read_world
 
-    data = sys.stdin.buffer.read(MOST_TEXT + 1) if hasattr(sys.stdin, "buffer") else sys.stdin.read().encode()
+    data = sys.stdin.buffer.read(MOST_TEXT + 1)
     if len(data) > MOST_TEXT:
         raise InvalidFile(_INPUT, f"it holds more than {MOST_TEXT} bytes")
     try:
@@ -228,24 +213,6 @@ def _saved_plan(folder: DomainFolder, name: str, must_fit: bool) -> Path:
     write_atomically(file, text)
     say(f"wrote {file}")
     return file
-
-
-def _check_output(output: Path | None, json: bool) -> None:
-    """Raise `InvalidValue` unless a plan can go there."""
-    if output == _STANDARD and json:
-        raise InvalidValue("Both --output - and --json ask for standard output; leave one of them out.")
-    check_file(None if output == _STANDARD else output, "plan")
-
-
-def _hand_over(plan_file: Path, output: Path) -> None:
-    """Copy a plan to where it was asked for."""
-    text = read_text(plan_file)
-    if output == _STANDARD:
-        be_quiet(False)
-        print_raw(text)
-    else:
-        write_atomically(output, text)
-        say(f"wrote {output}")
 
 
 _UNLIKELY = 0.1
@@ -278,15 +245,16 @@ def plan(
     """Plan for a problem; exit code 3 if there is no plan, with the reason.
 
     `bfs` is the paper's breadth-first search over what the network predicts, three deep without relations;
-    `counting` finds the fewest primitives there can be. Any other planner can be given DIR/domain.pddl and
-    DIR/problems/PROBLEM.pddl, and its plan file executed.
+    `counting` finds the fewest primitives there can be without places. Any other planner can be given
+    DIR/domain.pddl and DIR/problems/PROBLEM.pddl, and its plan file executed.
     """
     from neurosym.files import read_json
     from neurosym.stages.plan_records import PlanRecord, written_steps
     from neurosym.stages.planning import plan_stage
 
-    check_time_limit(time_limit)
-    _check_output(output, json)
+    if output == _STANDARD and json:
+        raise InvalidValue("Both --output - and --json ask for standard output; leave one of them out.")
+    check_file(None if output == _STANDARD else output, "plan")
     be_quiet(is_quiet() or output == _STANDARD)
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
@@ -314,8 +282,12 @@ def plan(
         say(f"wrote {folder / written}{said}")
         within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
         say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / written)}{within}")
-    if output and written:
-        _hand_over(domain / written, output)
+    if written and output == _STANDARD:
+        be_quiet(False)
+        print_raw(read_text(domain / written))
+    elif written and output:
+        write_atomically(output, read_text(domain / written))
+        say(f"wrote {output}")
     answer(record, file=str(domain / written) if written else None)
     return 0 if record.solved else NO_RESULT
 
@@ -323,36 +295,29 @@ def plan(
 def _say_plan(record: "PlanRecord") -> None:
     from neurosym.stages.plan_records import MORE_MOTIONS
 
+    spent = sum(os.times()[:4])  # CPU of this process and of all it started [s]
+    count = counted(record.primitives, "primitive")
     if record.solved:
         remark = f" ({record.reason})" if record.reason else ""
-        chance = 1.0 if record.chance is None else record.chance
-        count = counted(record.primitives, "primitive")
-        say(f"{count} in {_spent():.2f} s of CPU{remark}, {_likely(chance)} to go as promised:")
+        likely = _likely(1.0 if record.chance is None else record.chance)
+        say(f"{count} in {spent:.2f} s of CPU{remark}, {likely} to go as promised:")
     else:
-        say(f"no plan for {record.problem} ({record.status.value}, {_spent():.2f} s of CPU): {record.reason}")
+        say(f"no plan for {record.problem} ({record.status.value}, {spent:.2f} s of CPU): {record.reason}")
         if record.steps:
             say("as near as it comes:")
     for words in record.steps:
         say(f"  ({' '.join(words)})")
     if record.solved and record.steps and record.chance_replanned is not None:
-        motions = record.primitives + MORE_MOTIONS
-        likely = _likely(record.chance_replanned)
+        motions, likely = record.primitives + MORE_MOTIONS, _likely(record.chance_replanned)
         say(f"planned anew on the way, {likely} to reach the goal within {motions} motions")
+    anew = "plan anew on the way (unless --replans 0)"
     if record.misses:
-        say(
-            f"note: by what was rehearsed, {record.misses}; "
-            "`neurosym execute` plans anew on the way (unless --replans 0)"
-        )
+        say(f"note: by what was rehearsed, {record.misses}; let `neurosym execute` {anew}")
     elif record.solved and record.chance is not None and record.chance < _UNLIKELY:
         say(
-            f"note: a plan of {counted(record.primitives, 'primitive')} seldom goes through as it stands; "
-            "let `neurosym execute` plan anew on the way (unless --replans 0), or bring the goals nearer"
+            f"note: a plan of {count} seldom goes through as it stands; let `neurosym execute` {anew}, or "
+            "bring the goals nearer"
         )
-
-
-def _spent() -> float:
-    """Return the CPU of this process and of all it started [s]."""
-    return sum(os.times()[:4])
 
 
 def _likely(chance: float) -> str:
@@ -363,19 +328,15 @@ def _likely(chance: float) -> str:
 
 def planners(json: Json = False) -> int:
     """List the planners, the encodings that they take, and whether they are here."""
-    from neurosym.planners.planner_table import PLANNERS, track_record
+    from neurosym.planners.registry import PLANNERS
 
-    record = track_record()
     answer, rows = answer_in(json), []
     for planner in PLANNERS.values():
         encodings = ", ".join(planner.encodings) or "-"
         cell = planner.program.cell if planner.program else 0.0
         cells = f", cells from {cell * 1000:g} mm" if cell else ""
-        solved = record.of(planner.name) or "-"
-        rows.append([planner.name, planner.about, encodings + cells, solved, planner.missing() or "yes"])
-    show_table("Planners", ["planner", "what it is", "encodings", "solved", "installed"], rows)
-    problems = " and ".join(record.problems)
-    say(f"solved: of {problems} of tabletop, whole, in {record.time_limit:g} s each; - is one of ours")
+        rows.append([planner.name, planner.about, encodings + cells, planner.missing() or "yes"])
+    show_table("Planners", ["planner", "what it is", "encodings", "installed"], rows)
     say("strips is the page, domain.pddl; sas is what Fast Downward makes of objects that are led over cells")
     say("`pip install 'neurosym-pddl[planners]'` brings those that are not")
     answer(
@@ -384,7 +345,6 @@ def planners(json: Json = False) -> int:
                 "name": one.name,
                 "about": one.about,
                 "encodings": one.encodings,
-                "solved": record.solved.get(one.name, {}),
                 "missing": one.missing(),
             }
             for one in PLANNERS.values()
@@ -414,21 +374,16 @@ def validate(
     name = domain.problem(problem)
     plan_file = given_plan(domain, folder, name, plan_file, must_fit=False)
     verdict = judge_plan(domain, name, plan_file, tolerance)
-    _say_verdict(verdict)
-    if verdict.steps:
-        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(plan_file)}")
-    answer(verdict, valid=verdict.valid)
-    return 0 if verdict.valid else NO_RESULT
-
-
-def _say_verdict(verdict: "PlanVerdict") -> None:
-    by = verdict.domain or "PDDL"
     whole = ", written out with cells and places" if verdict.written_out else ""
     where = "" if verdict.pddl_failed is None else f"action {verdict.pddl_failed}: "
     said = "valid" if verdict.valid_by_pddl else f"not valid; {where}{verdict.pddl_reason}"
-    say(f"by {by}{whole}, as unified-planning's validator says: {said}")
+    say(f"by {verdict.domain or 'PDDL'}{whole}, as unified-planning's validator says: {said}")
     say(f"by its replay: {'valid' if verdict.valid_by_replay else f'not valid; {verdict.replay_reason}'}")
     if verdict.chance is not None:
         say(f"{verdict.chance:.0%} likely to go as promised, followed as it is")
     steps = counted(len(verdict.steps), "step")
     say(f"{verdict.plan}: {f'a plan of {steps}' if verdict.valid else 'no plan'} for {verdict.problem}")
+    if verdict.steps:
+        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(plan_file)}")
+    answer(verdict, valid=verdict.valid)
+    return 0 if verdict.valid else NO_RESULT

@@ -1,10 +1,7 @@
 """Arrays in .npz files: measured before they are unpacked, and never unpickled."""
 
 import json
-import lzma
-import tokenize
 import zipfile
-import zlib
 from collections.abc import Collection
 from pathlib import Path
 from typing import Any
@@ -18,23 +15,6 @@ from neurosym.errors import InvalidFile, shortened
 from neurosym.files import MEGABYTE, MOST_DATA, decode_json, opened, read_bytes, write_atomically
 
 _MOST_ARRAYS = 1000  # files with more are no data sets
-_DAMAGED = (
-    ArithmeticError,
-    AttributeError,
-    EOFError,
-    LookupError,
-    OSError,
-    MemoryError,
-    RuntimeError,
-    SyntaxError,
-    TypeError,
-    ValueError,
-    lzma.LZMAError,
-    tokenize.TokenError,
-    zipfile.BadZipFile,
-    zlib.error,
-)
-"""What numpy and zipfile raise for files that are damaged, foreign, encrypted or pickled."""
 
 
 def read_arrays(
@@ -42,37 +22,33 @@ def read_arrays(
 ) -> tuple[dict[str, np.ndarray], tuple[str, ...], list[str]]:
     """Read arrays of an .npz file.
 
-    Args:
-        path: The file.
-        wanted: The names of those to read; the others are not looked at.
-
-    Returns:
-        Those that can be read, the names of all that are there, and why some cannot be read.
-
-    Raises:
-        InvalidFile: If it is no .npz file, or holds too much; see `reading.opened`.
+    Returned are those that can be read of the wanted, the names of all, and why some cannot be read.
     """
     arrays, problems = {}, []
     with opened(path, MOST_DATA) as file:
         try:
             archive = np.load(file, allow_pickle=False)
             parts: list[zipfile.ZipInfo] = archive.zip.infolist()
-        except _DAMAGED as error:
+        except Exception as error:  # numpy and zipfile raise all kinds for what is damaged
             raise InvalidFile(path, "it is not an .npz file of plain arrays") from error
-        with archive:
-            given = tuple(part.filename.removesuffix(".npy") for part in parts)
-            _check_sizes(path, parts, wanted)
-            for name in filter(given.__contains__, wanted):
-                try:
-                    array = archive[name]
-                    if not array.dtype.itemsize:
-                        raise ValueError("it holds nothing, as often as it likes")
-                    arrays[name] = array
-                except _DAMAGED:
-                    problems.append(
-                        f"{name!r} is damaged, or holds Python objects, which are never unpickled; "
-                        "valid: a plain array"
-                    )
+        sizes = [(part.filename.removesuffix(".npy"), part.file_size) for part in parts]
+        given = tuple(name for name, _ in sizes)
+        if len(parts) > _MOST_ARRAYS:
+            raise InvalidFile(path, f"it holds {len(parts)} arrays; valid: at most {_MOST_ARRAYS}")
+        if (size := sum(size for name, size in sizes if name in wanted)) > MOST_DATA:
+            most = MOST_DATA // MEGABYTE
+            raise InvalidFile(path, f"unpacked, it takes {size // MEGABYTE} MB; valid: at most {most} MB")
+        for name in filter(given.__contains__, wanted):
+            try:
+                array = archive[name]
+                if not array.dtype.itemsize:
+                    raise ValueError("it holds nothing, as often as it likes")
+                arrays[name] = array
+            except Exception:  # encrypted, pickled, or anything else
+                problems.append(
+                    f"{name!r} is damaged, or holds Python objects, which are never unpickled; "
+                    "valid: a plain array"
+                )
     doubles = sorted({name for name in given if given.count(name) > 1})
     problems += [
         f"it holds {given.count(name)} arrays {shortened(name)!r}; valid: one of each" for name in doubles
@@ -80,19 +56,9 @@ def read_arrays(
     return arrays, given, problems
 
 
-def _check_sizes(path: Path, parts: Collection[zipfile.ZipInfo], wanted: Collection[str]) -> None:
-    if len(parts) > _MOST_ARRAYS:
-        raise InvalidFile(path, f"it holds {len(parts)} arrays; valid: at most {_MOST_ARRAYS}")
-    sizes = {part.filename.removesuffix(".npy"): part.file_size for part in parts}
-    if (size := sum(size for name, size in sizes.items() if name in wanted)) > MOST_DATA:
-        most = MOST_DATA // MEGABYTE
-        raise InvalidFile(path, f"unpacked, it takes {size // MEGABYTE} MB; valid: at most {most} MB")
-
-
 # Named arrays with a description beside them, in the safetensors format: nothing is ever unpickled
 
-GREATEST_NUMBER = 1e18
-"""Greatest number in a file: the variance of the greatest data. With more, predictions are not finite."""
+_GREATEST = 1e18  # the variance of the greatest data; with more, predictions are not finite
 _METADATA = "neurosym"
 _LENGTH = 8  # bytes that a file begins with, and which say how long its header is
 
@@ -140,6 +106,6 @@ def read_tensors(path: Path, file_format: str) -> tuple[dict[str, np.ndarray], d
     for name, tensor in tensors.items():
         if not np.all(np.isfinite(tensor)):
             raise InvalidFile(path, f"{name!r} holds a value that is not finite")
-        if np.any(np.abs(tensor) > GREATEST_NUMBER):
-            raise InvalidFile(path, f"{name!r} holds a number beyond {GREATEST_NUMBER:g}")
+        if np.any(np.abs(tensor) > _GREATEST):
+            raise InvalidFile(path, f"{name!r} holds a number beyond {_GREATEST:g}")
     return tensors, description

@@ -80,31 +80,22 @@ class Interactions:
     def from_outcomes(
         cls, outcomes: Sequence[Outcome], actions: Float[np.ndarray, "N A"], origin: dict[str, Any]
     ) -> "Interactions":
-        """Gather outcomes and the actions that led to them.
-
-        Args:
-            outcomes: One for each row.
-            actions: The action performed in each.
-            origin: How the data came about.
-        """
-        return cls(
-            features=np.stack([_described(o) for o in outcomes]).astype(np.float32),
-            actions=actions.astype(np.float32),
-            effects=np.stack([_axes(o, o.effect) for o in outcomes]).astype(np.float32),
-            resting_effects=np.stack([_axes(o, o.resting_effect) for o in outcomes]).astype(np.float32),
-            held=np.array([o.held for o in outcomes]),
-            toppled=np.array([o.toppled for o in outcomes]),
-            lost=np.array([o.lost for o in outcomes]),
-            peak_heights=np.array([o.peak_height for o in outcomes], dtype=np.float32),
-            origin=origin,
-        )
+        """Gather outcomes and the actions that led to them."""
+        lengths = {
+            "features": [_described(one) for one in outcomes],
+            "actions": actions,
+            "effects": [_axes(one, one.effect) for one in outcomes],
+            "resting_effects": [_axes(one, one.resting_effect) for one in outcomes],
+            "peak_heights": [one.peak_height for one in outcomes],
+        }
+        flags = {name: np.array([getattr(one, name) for one in outcomes]) for name in FLAGS}
+        columns = {name: np.array(rows).astype(np.float32) for name, rows in lengths.items()}
+        return cls(**columns, **flags, origin=origin)
 
     def join(self, more: "Interactions") -> "Interactions":
         """Append the rows of another data set, keeping this one's origin."""
-        columns = {
-            name: np.concatenate([column, getattr(more, name)]) for name, column in self.columns.items()
-        }
-        return Interactions(**columns, origin=self.origin)
+        joined = {name: np.concatenate([rows, getattr(more, name)]) for name, rows in self.columns.items()}
+        return Interactions(**joined, origin=self.origin)
 
     def save(self, path: Path) -> None:
         """Write the data set as an .npz file whose bytes depend on nothing but the data."""
@@ -162,15 +153,21 @@ def examine(path: Path) -> Examination:
         InvalidFile: If it is no .npz file at all.
     """
     columns, given, problems = read_arrays(path, (*_ARRAYS, "origin"))
-    origin: dict[str, Any] = {}
-    if "origin" in columns:
-        try:
-            origin = _read_origin(columns.pop("origin"))
-        except ValueError as error:
-            problems.append(str(error))
+    origin, problem = _read_origin(columns.pop("origin", np.array("{}")))
+    problems += [problem] if problem else []
     unread = [name for name in given if name in _ARRAYS and name not in columns]
     problems += file_problems(columns, origin, unread=unread)
-    interactions = None if problems else Interactions(**_filled(columns), origin=origin)
+    interactions = None
+    if not problems:
+        flags = np.zeros((len(FLAGS), len(columns["features"])), dtype=bool)
+        filled = {
+            "resting_effects": columns["effects"],
+            "peak_heights": np.zeros(flags.shape[1]),
+            **dict(zip(FLAGS, flags, strict=True)),
+            **columns,
+        }
+        kinds = {name: bool if name in FLAGS else np.float32 for name in _ARRAYS}
+        interactions = Interactions(**{n: filled[n].astype(kinds[n]) for n in _ARRAYS}, origin=origin)
     return Examination(columns, origin, given, tuple(problems), interactions)
 
 
@@ -183,46 +180,32 @@ def _described(outcome: Outcome) -> Float[np.ndarray, "F"]:
 
 
 def _axes(outcome: Outcome, effect: Float[np.ndarray, "3"]) -> Float[np.ndarray, "E"]:
-    """Return an effect as data have it: with a reference the last axis says whether it was carried there."""
+    """Return an effect as data have it.
+
+    With a reference, the last axis says whether the target was carried there; all is zero if not. Relative to
+    another object it is also told how the target stands to it in the end.
+    """
     if outcome.reference is None:
         return effect
+    row = np.array([*effect, 1.0])
     if isinstance(outcome.reference, OtherObject):
-        return _pair_axes(outcome, outcome.reference.index)
-    return np.array([*effect, 1.0]) if outcome.carried else np.zeros(len(effect) + 1)
-
-
-def _pair_axes(outcome: Outcome, reference: int) -> Float[np.ndarray, "E"]:
-    """Return how the target stands to another object in the end if it was carried there; else zeros."""
-    where = np.clip(touching_units(outcome.end, outcome.target, reference), -FARTHEST, FARTHEST)
-    *_, touching, tilted, _ = describe_pair(outcome.end, outcome.target, reference, outcome.contacts)
-    row = np.array([*where, touching, tilted, 1.0])
+        pair = outcome.end, outcome.target, outcome.reference.index
+        *_, touching, tilted, _ = describe_pair(*pair, outcome.contacts)
+        row = np.array([*np.clip(touching_units(*pair), -FARTHEST, FARTHEST), touching, tilted, 1.0])
     return row if outcome.carried else np.zeros_like(row)
 
 
 _ARRAYS = tuple(f.name for f in fields(Interactions) if f.name != "origin")
 
 
-def _read_origin(array: np.ndarray) -> dict[str, Any]:
-    """Read the JSON object in an array of one text; `ValueError` says what is wrong with it."""
+def _read_origin(array: np.ndarray) -> tuple[dict[str, Any], str | None]:
+    """Read the JSON object in an array of one text, and say what is wrong with it."""
     try:
         origin = json.loads(array.item()) if array.shape == () and array.dtype.kind == "U" else None
     except (ValueError, RecursionError):
         origin = None
     if not isinstance(origin, dict):
-        raise ValueError(
-            "'origin' cannot be read; valid: a JSON object as text, like '{\"robot\": \"mine\"}'"
-        )
+        return {}, "'origin' cannot be read; valid: a JSON object as text, like '{\"robot\": \"mine\"}'"
     if (found := origin.pop("format", FORMAT)) != FORMAT:
-        raise ValueError(f"it is of the format {found!r}; valid: {FORMAT!r}, or no format in its origin")
-    return origin
-
-
-def _filled(columns: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-    rows = len(columns["features"])
-    defaults = {
-        "resting_effects": columns["effects"],
-        "peak_heights": np.zeros(rows),
-        **{name: np.zeros(rows, dtype=bool) for name in FLAGS},
-    }
-    full = {**defaults, **columns}
-    return {name: full[name].astype(bool if name in FLAGS else np.float32) for name in _ARRAYS}
+        return {}, f"it is of the format {found!r}; valid: {FORMAT!r}, or no format in its origin"
+    return origin, None

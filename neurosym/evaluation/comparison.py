@@ -24,14 +24,12 @@ from neurosym.files import check_writable, digest, locked, make_folder, read_jso
 from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.operators import Symbol
 from neurosym.planners.planner import PlanResult, PlanStatus, PredictEffects
-from neurosym.planners.planner_table import PLANNERS
 from neurosym.planners.registry import Replanner, plan, planner_named
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
 from neurosym.stages.problem_making import draw_any_task, sight_of_pairs
-from neurosym.tasks.supports import is_reached, is_relational
-from neurosym.tasks.task import with_places
+from neurosym.tasks.task import is_reached, is_relational, with_places
 from neurosym.tasks.transition import PlanStep, Steps, named_steps, primitives, validate
 from neurosym.world import World
 from neurosym.worlds.task_drawing import Fits, draw_problem
@@ -41,13 +39,7 @@ from neurosym.worlds.world_file import read_world
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """What planners are compared in.
-
-    Attributes:
-        world: Where plans are executed.
-        grounding: The learned domain.
-        predict: What the network predicts.
-    """
+    """What planners are compared in: a world, what was learned, and what the network predicts."""
 
     world: World
     grounding: Grounding
@@ -100,25 +92,11 @@ class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class TaskRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What each planner made of one task.
-
-    Attributes:
-        problem: The task.
-        met_at_start: Whether there is nothing to plan; then there are no attempts.
-        attempts: By the planner's name.
-    """
+    """What each planner made of one task: its attempts, by name; none if the goal is met at the start."""
 
     problem: Problem
     met_at_start: bool
     attempts: dict[str, Attempt] = {}
-
-
-def check_planners(planners: Sequence[str], domain_folder: Path) -> None:
-    """Raise `UnknownChoice` unless all planners exist, and `InvalidValue` if there are none."""
-    if not planners:
-        raise InvalidValue(f"Name at least one planner; valid: {', '.join(sorted(PLANNERS))}.")
-    for name in planners:
-        planner_named(name, domain_folder)
 
 
 def compare(
@@ -140,9 +118,8 @@ def compare(
     """
     if is_reached(problem, setting.grounding):
         return TaskRecord(problem, met_at_start=True)
-    attempts = {
-        name: _attempt(setting, problem, name, time_limit=time_limit, executed=executed) for name in planners
-    }
+    solvers = {name: planner_of(setting, name, time_limit=time_limit) for name in planners}
+    attempts = {name: _attempt(setting, problem, solve, executed) for name, solve in solvers.items()}
     return TaskRecord(problem, met_at_start=False, attempts=attempts)
 
 
@@ -161,37 +138,40 @@ def planner_of(setting: Setting, name: str, *, time_limit: float | None) -> Repl
     return solve
 
 
-def _attempt(
-    setting: Setting, problem: Problem, name: str, *, time_limit: float | None, executed: bool
-) -> Attempt:
-    solve = planner_of(setting, name, time_limit=time_limit)
-    result = solve(problem, setting.grounding)
-    steps = result.steps
+def _attempt(setting: Setting, problem: Problem, solve: Replanner, executed: bool) -> Attempt:
+    world, grounding = setting.world, setting.grounding
+    result = solve(problem, grounding)
+    steps, seconds = result.steps, round(result.seconds, 4)
     if result.status is not PlanStatus.SOLVED:
-        return Attempt(result.status, result.reason, seconds=round(result.seconds, 4), depth=result.depth)
-    replayed = validate(steps, problem, setting.grounding)
-    blind, replanned = _follow(setting, problem, steps, solve) if executed else (None, None)
+        return Attempt(result.status, result.reason, seconds=seconds, depth=result.depth)
+    replayed, blind, replanned = validate(steps, problem, grounding), None, None
+    if executed:
+        run = execute(world, problem, grounding, steps, replanner=solve)
+        replanned = summarise_run(run, grounding)
+        # a run in which nothing was planned anew is the one that follows the plan blindly
+        again = execute(world, problem, grounding, steps) if run.replannings else run
+        blind = summarise_run(again, grounding)
     return Attempt(
         status=result.status,
         reason=result.reason,
         steps=named_steps(steps),
-        seconds=round(result.seconds, 4),
+        seconds=seconds,
         primitives=primitives(steps),
         invalid="" if replayed.valid else "elsewhere" if replayed.possible else "impossible",
         replayed=replayed.reason,
         promised_miss=_worst(problem, replayed.positions[-1]) if replayed.possible else None,
         predicted_miss=_worst(problem, _predicted_end(setting, problem, steps)),
-        left_out=any(step.base in setting.grounding.left_out for step in steps),
+        left_out=any(step.base in grounding.left_out for step in steps),
         open_loop=blind,
         replanned=replanned,
     )
 
 
 def _predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep]) -> Float[np.ndarray, "M 3"]:
-    """Follow a plan by the network's predictions; where a put-down lands is what the rehearsals saw.
+    """Follow a plan by the network's predictions to the centres at its end [m].
 
-    What is carried to a place is taken to stand there: the network of displacements knows nothing of places,
-    and nothing of relations, of which the promises are taken. Returned are the centres at its end [m].
+    Where a put-down lands is what the rehearsals saw. What is carried to a place is taken to stand there: the
+    network of displacements knows nothing of places, and nothing of relations, whose promises are taken.
     """
     grounding, positions = setting.grounding, problem.scene().positions
     if is_relational(problem, grounding):
@@ -216,32 +196,17 @@ def _worst(problem: Problem, positions: Float[np.ndarray, "M 3"]) -> float:
     return round(max(problem.distances(positions).values(), default=0.0), 6)
 
 
-def _follow(
-    setting: Setting, problem: Problem, steps: Sequence[PlanStep], solve: Replanner
-) -> tuple[Execution, Execution]:
-    """Execute a plan, blindly and with replanning."""
-    world, grounding = setting.world, setting.grounding
-    replanned = execute(world, problem, grounding, steps, replanner=solve)
-    # A run in which nothing was planned anew is the one that follows the plan blindly.
-    blind = execute(world, problem, grounding, steps) if replanned.replannings else replanned
-    return summarise_run(blind, grounding), summarise_run(replanned, grounding)
-
-
 # The tasks of a comparison: each drawn and measured once, and kept in a file, until the domain changes
 
 _AHEAD = 2  # tasks handed out for each worker
+_Digests = dict[str, str]
+"""SHA-256 of the files that a record depends on, by name."""
 
 
-class Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A record as it lies in its file.
+class _Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A record as it lies in its file, with the user's ceiling for each planner [s], if there was one."""
 
-    Attributes:
-        made_from: SHA-256 of the files that it depends on, by name.
-        time_limit: The user's ceiling for each planner [s], if there was one.
-        record: What became of the task.
-    """
-
-    made_from: dict[str, str]
+    made_from: _Digests
     time_limit: float | None
     record: TaskRecord
 
@@ -252,10 +217,10 @@ class Order(msgspec.Struct, frozen=True):
     Attributes:
         folder: The domain folder.
         objects: Objects in each task.
-        task: What the tasks ask for; as the paper draws them, if not given.
         planners: Whom to compare.
         tolerance: How near each object must come to its goal [m].
         time_limit: The user's ceiling for each planner [s]; its own if not given.
+        task: What the tasks ask for; as the paper draws them, if not given.
     """
 
     folder: Path
@@ -270,6 +235,24 @@ class Order(msgspec.Struct, frozen=True):
         """Folder of the records."""
         kind = f"{self.objects}-objects-{1000 * self.tolerance:g}-mm"
         return self.folder / COMPARISONS / (f"{self.task}-{kind}" if self.task else kind)
+
+    def file(self, seed: int) -> Path:
+        """Return where the record of a task lies."""
+        return self.place / f"task-{seed:05d}.json"
+
+    def kept(self, seed: int, made_from: _Digests) -> TaskRecord | None:
+        """Read a record, unless there is none, or one of another domain."""
+        try:
+            kept = read_json(self.file(seed), _Kept)
+        except InvalidFile:
+            return None
+        is_current = (kept.made_from, kept.time_limit) == (made_from, self.time_limit)
+        return kept.record if is_current else None
+
+    def planners_left(self, record: TaskRecord | None) -> tuple[str, ...]:
+        """Name those whom a record does not tell of."""
+        done = () if record is None else self.planners if record.met_at_start else record.attempts
+        return tuple(name for name in self.planners if name not in done)
 
 
 class Bench:
@@ -300,24 +283,21 @@ class Bench:
     def draw(
         self, objects: int, seed: int, tolerance: float, task: AnyTask | None = None, fits: Fits | None = None
     ) -> Problem:
-        """Draw a task, and set how near each object must come to its goal.
-
-        Scene and goals do not depend on the tolerance, nor on what was learned.
+        """Draw a task whose scene and goals depend neither on the tolerance, nor on what was learned.
 
         Args:
             objects: How many objects.
             seed: Same seed, same task.
-            tolerance: How near they must come [m].
+            tolerance: How near they must come to their goals [m].
             task: What is asked for; a task as the paper draws them, if not given.
             fits: Says of the features of an object whether it may be drawn, if a task is asked for.
         """
-        world, name = self.setting.world, f"{task or 'drawn'}-{seed:05d}"
+        world, name, of = self.setting.world, f"{task or 'drawn'}-{seed:05d}", self.categorise
         if task is None:
-            drawn = draw_problem(world, self.categorise, name=name, objects=objects, seed=seed)
+            drawn = draw_problem(world, of, name=name, objects=objects, seed=seed)
         else:
-            known = self.setting.grounding
-            options: dict[str, Any] = {"name": name, "objects": objects, "seed": seed, "fits": fits}
-            drawn = draw_any_task(world, self.categorise, known, task, sight=self._sight, **options)
+            asked: dict[str, Any] = {"name": name, "objects": objects, "seed": seed, "fits": fits}
+            drawn = draw_any_task(world, of, self.setting.grounding, task, sight=self._sight, **asked)
         return msgspec.structs.replace(drawn, tolerance=tolerance)
 
 
@@ -337,52 +317,23 @@ def compare_tasks(order: Order, seeds: Sequence[int], *, workers: int = 1) -> It
     made_from = {name: digest(folder.require(name)) for name in (WORLD, MODEL, GROUNDING)}
     make_folder(order.place)
     check_writable(order.place / "comparison.json")
-    kept = {seed: _load(order, seed, made_from) for seed in seeds}
-    left = [seed for seed, record in kept.items() if _planners_left(order, record)]
-    measured = _measure_all(order, made_from, [(seed, kept[seed]) for seed in left], workers)
-    for seed in seeds:
-        record = next(measured) if seed in left else kept[seed]
-        assert record is not None, "measured now or before"
-        yield record
-
-
-def _path(order: Order, seed: int) -> Path:
-    return order.place / f"task-{seed:05d}.json"
-
-
-def _load(order: Order, seed: int, made_from: dict[str, str]) -> TaskRecord | None:
-    """Read a record, unless there is none, or one of another domain."""
-    try:
-        kept = read_json(_path(order, seed), Kept)
-    except InvalidFile:
-        return None
-    is_current = (kept.made_from, kept.time_limit) == (made_from, order.time_limit)
-    return kept.record if is_current else None
-
-
-def _planners_left(order: Order, record: TaskRecord | None) -> tuple[str, ...]:
-    if record is None:
-        return order.planners
-    done = order.planners if record.met_at_start else record.attempts
-    return tuple(name for name in order.planners if name not in done)
-
-
-_Unfinished = tuple[int, TaskRecord | None]
-"""A seed, and what is known of its task."""
+    kept = {seed: order.kept(seed, made_from) for seed in seeds}
+    left = [seed for seed, record in kept.items() if order.planners_left(record)]
+    measured = _measure_all(order, made_from, left, workers)
+    for seed, record in kept.items():
+        found = next(measured) if seed in left else record
+        assert found is not None, "measured now or before"
+        yield found
 
 
 def _measure_all(
-    order: Order, made_from: dict[str, str], tasks: Sequence[_Unfinished], workers: int
+    order: Order, made_from: _Digests, seeds: Sequence[int], workers: int
 ) -> Iterator[TaskRecord]:
-    if workers == 1 or not tasks:
-        yield from (_measure(order, made_from, task) for task in tasks)
+    if workers == 1 or not seeds:
+        yield from (_measure(order, made_from, seed) for seed in seeds)
         return
-    with worker_pool(min(workers, len(tasks)), _start, (order.folder, *made_from.values())) as submit:
-        yield from in_order(tasks, lambda task: submit(_measure, order, made_from, task), _AHEAD * workers)
-
-
-def _start(folder: Path, *made_from: str) -> None:
-    _bench(folder, *made_from)
+    with worker_pool(min(workers, len(seeds))) as submit:
+        yield from in_order(seeds, lambda seed: submit(_measure, order, made_from, seed), _AHEAD * workers)
 
 
 @lru_cache(maxsize=1)
@@ -391,14 +342,13 @@ def _bench(folder: Path, *_made_from: str) -> Bench:
     return Bench(DomainFolder(folder))
 
 
-def _measure(order: Order, made_from: dict[str, str], task: _Unfinished) -> TaskRecord:
+def _measure(order: Order, made_from: _Digests, seed: int) -> TaskRecord:
     """Do what is missing of a task, and write its record."""
-    bench, (seed, known) = _bench(order.folder, *made_from.values()), task
+    bench, known = _bench(order.folder, *made_from.values()), order.kept(seed, made_from)
     problem = known.problem if known else bench.draw(order.objects, seed, order.tolerance, order.task)
-    missing = _planners_left(order, known)
-    record = compare(bench.setting, problem, missing, time_limit=order.time_limit)
+    record = compare(bench.setting, problem, order.planners_left(known), time_limit=order.time_limit)
     with locked(order.place):  # another process may compare other planners on the same task
-        if known := _load(order, seed, made_from) or known:
+        if known := order.kept(seed, made_from) or known:
             record = msgspec.structs.replace(record, attempts={**known.attempts, **record.attempts})
-        write_json(_path(order, seed), Kept(made_from, order.time_limit, record))
+        write_json(order.file(seed), _Kept(made_from, order.time_limit, record))
     return record

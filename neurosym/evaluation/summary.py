@@ -2,14 +2,17 @@
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 
 import msgspec
 import numpy as np
 
 from neurosym.errors import counted
 from neurosym.evaluation.comparison import Attempt, TaskRecord
+from neurosym.files import read_json
 from neurosym.planners.planner import PlanStatus
 from neurosym.planners.registry import planner_named
+from neurosym.stages.layout import COMPARISONS
 
 
 class Tally(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -69,6 +72,16 @@ class Comparison(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return self.tasks - self.met_at_start
 
 
+def comparisons_of(folder: Path) -> dict[str, Comparison]:
+    """Read what `neurosym compare` measured in a folder, by the kind of task.
+
+    Raises:
+        InvalidFile: If a file is damaged.
+    """
+    paths = sorted((folder / COMPARISONS).glob("*/comparison.json"))
+    return {path.parent.name: read_json(path, Comparison) for path in paths}
+
+
 def summarise(records: Sequence[TaskRecord], planners: Sequence[str]) -> Comparison:
     """Count what became of the tasks."""
     asked = [record for record in records if not record.met_at_start]
@@ -85,7 +98,6 @@ def _tally(records: Sequence[TaskRecord], name: str, planners: Sequence[str]) ->
     found = [attempt for attempt in attempts if attempt.found]
     blind = [attempt.open_loop for attempt in attempts if attempt.open_loop]
     replanned = [attempt.replanned for attempt in attempts if attempt.replanned]
-    whys = [why_not_found(record, name, planners) for record in records]
     return Tally(
         found=len(found),
         valid=sum(attempt.valid for attempt in found),
@@ -95,8 +107,8 @@ def _tally(records: Sequence[TaskRecord], name: str, planners: Sequence[str]) ->
         seconds=round(float(np.median([attempt.seconds for attempt in attempts])), 4) if attempts else None,
         predicted=sum(_predicts_goal(record.attempts[name], record) for record in records),
         replans=sum(run.replans for run in replanned),
-        unfound=_counts(whys),
-        invalid=_counts(_why_invalid(attempt) for attempt in found),
+        unfound=_counts(why_not_found(record, name, planners) for record in records),
+        invalid=_counts(map(_why_invalid, found)),
         missed=_counts(run.kind for run in blind),
         missed_with_replanning=_counts(run.kind for run in replanned),
         performed=sum(run.interactions for run in replanned if run.own is not None),
@@ -105,8 +117,7 @@ def _tally(records: Sequence[TaskRecord], name: str, planners: Sequence[str]) ->
 
 
 def _counts(reasons: Iterable[str]) -> dict[str, int]:
-    counted = Counter(filter(None, reasons))
-    return dict(sorted(counted.items(), key=lambda item: (-item[1], item[0])))
+    return dict(sorted(Counter(filter(None, reasons)).items(), key=lambda item: (-item[1], item[0])))
 
 
 def _predicts_goal(attempt: Attempt, record: TaskRecord) -> bool:
@@ -116,12 +127,12 @@ def _predicts_goal(attempt: Attempt, record: TaskRecord) -> bool:
 
 
 def _why_invalid(attempt: Attempt) -> str:
-    """Say in a few words why a plan is not valid; empty if it is, or if there is none."""
-    if not attempt.found or attempt.valid:
-        return ""
-    if attempt.invalid == "impossible":
-        return "by the operators, an object leaves the table or ends in another"
-    return "by the operators, it ends elsewhere"
+    """Say in a few words why a plan that was found is not valid; empty if it is."""
+    reasons = {
+        "impossible": "by the operators, an object leaves the table or ends in another",
+        "elsewhere": "by the operators, it ends elsewhere",
+    }
+    return reasons.get(attempt.invalid, "")
 
 
 def why_not_found(record: TaskRecord, name: str, planners: Sequence[str]) -> str:
@@ -151,8 +162,3 @@ def markdown_table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str
     lines = [columns, ["---"] * len(columns), *rows]
     escaped = [[cell.replace("|", "\\|") for cell in line] for line in lines]
     return "\n".join(f"| {' | '.join(line)} |" for line in escaped)
-
-
-def mean_and_spread(values: Sequence[float | int], digits: int = 3) -> str:
-    """Write mean and standard deviation over repetitions."""
-    return f"{np.mean(values):.{digits}f} ± {np.std(values):.{digits}f}"

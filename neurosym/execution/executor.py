@@ -18,9 +18,9 @@ from neurosym.errors import InvalidValue
 from neurosym.execution.performance import STOP, Moment, Nudger, Situation, Watcher, check_aims, lifts
 from neurosym.execution.record import Ended, Nudge, Replanning, Run, StepRecord, own_steps, why_missed
 from neurosym.execution.replanning import (
+    NEARER,
     PATIENCE,
     Experience,
-    Progress,
     believed_name,
     new_plan,
     usual_replans,
@@ -77,45 +77,31 @@ def execute(
         UnknownChoice: If a step names an operator that there is not.
     """
     world = guarded(world)
-    _check_run(world, problem, grounding, plan, replanner, replans, nudge_seed)
+    _check_run(world, problem, grounding, plan)
+    check_count("replans", 0 if replans is None else replans, least=0)
+    if replanner is not None:
+        check_callable("replanner", replanner, "a function from a problem and a grounding to a plan result")
     watchers = [watcher] if watcher else []
     if nudge_seed is not None:
+        check_seed(nudge_seed, "nudge_seed")
         watchers.insert(0, Nudger(nudge_seed, primitives(plan), problem, world.table))
     most = (usual_replans(plan) if replans is None else replans) if replanner else 0
-    drawn = not problem.places
-    problem = _prepared(problem, grounding)
-    check_aims(problem, grounding, plan)
-    run = _Running(Situation(world, problem, grounding, on_frame), list(plan), most, drawn)
-    while run.goes_on:
-        if not all(run.heed(one) for one in watchers):
-            break
+    drawn, places = not problem.places, understand(problem, grounding).places
+    here = Situation(world, msgspec.structs.replace(problem, places=places), grounding, on_frame)
+    check_aims(here.problem, grounding, plan)
+    run = _Running(here, list(plan), drawn, watchers, tell or (lambda _: None))
+    while run.goes_on and all(run.heed(one) for one in watchers):
         if replanner and most and (why := run.why_not_go_on()):
-            asked = len(run.replannings)
-            if tell:
-                tell(f"planning anew before step {len(run.records) + 1}, new plan {asked + 1}: {why}")
-            run.replan(replanner, why)
-            for replanning in run.replannings[asked:]:
-                for one in watchers:
-                    one.replanned(replanning)
+            run.replan(replanner, why, most)
         if not run.left:
             break
-        if tell:
-            tell(f"step {len(run.records) + 1}: {run.left[0].operator} {run.left[0].object}")
         run.step()
         if on_step:
             on_step(run.records[-1])
     return run.record(named_steps(plan))
 
 
-def _check_run(
-    world: World,
-    problem: Problem,
-    grounding: Grounding,
-    plan: Sequence[PlanStep],
-    replanner: Replanner | None,
-    replans: int | None,
-    seed: int | None,
-) -> None:
+def _check_run(world: World, problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
     """Refuse what cannot be executed before anything moves."""
     check_kind("problem", problem, Problem, "a Problem")
     check_kind("grounding", grounding, Grounding, "a Grounding")
@@ -124,12 +110,6 @@ def _check_run(
         if not grounding.relation_named(step.base):
             grounding.operator_named(step.base)
         problem.object_named(step.object)
-    if replans is not None:
-        check_count("replans", replans, least=0)
-    if seed is not None:
-        check_seed(seed, "nudge_seed")
-    if replanner is not None:
-        check_callable("replanner", replanner, "a function from a problem and a grounding to a plan result")
     if limits := limits_of(world):
         if reason := limits.too_many(len(problem.objects)):
             raise InvalidValue(f"The problem {problem.name} cannot be executed: {reason}.")
@@ -137,33 +117,35 @@ def _check_run(
             limits.check(item.name, item.features)
 
 
-def _prepared(problem: Problem, grounding: Grounding) -> Problem:
-    """Return a problem as it stands now with places that suit what bears what."""
-    return msgspec.structs.replace(problem, places=understand(problem, grounding).places)
-
-
 @dataclass(slots=True)
 class _Running:
-    """A run while it goes on: where everything is, what is left to do, and what was done."""
+    """A run while it goes on: where everything is, what is left to do, and what was done.
+
+    Of the plans so far, `fewest` is how many primitives any had left; `nearest` is the least sum of the
+    distances from the goals [m], and `stalled` how many new plans in a row changed neither.
+    """
 
     here: Situation
     left: list[PlanStep]
-    most_replans: int
     places_drawn: bool
+    watchers: Sequence[Watcher]
+    tell: Tell
     experience: Experience = field(init=False)
     aimed: Problem = field(init=False)
+    effort: Effort = field(init=False)
+    fewest: int = field(init=False)
+    nearest: float = field(init=False)
+    stalled: int = 0
     records: list[StepRecord] = field(default_factory=list)
     replannings: list[Replanning] = field(default_factory=list)
     nudges: list[Nudge] = field(default_factory=list)
     ended: Ended = "plan"
-    progress: Progress = field(init=False)
-    effort: Effort = field(init=False)
     _lifted: tuple[PlanStep, Scene] | None = None
 
     def __post_init__(self) -> None:
         self.aimed, self.experience = self.here.problem, Experience(self.here.grounding)
         self.effort = Effort(usual_work(self.here.problem))
-        self.progress = Progress(primitives(self.left), self._miss())
+        self.fewest, self.nearest = primitives(self.left), self._miss()
 
     @property
     def goes_on(self) -> bool:
@@ -172,16 +154,16 @@ class _Running:
 
     def heed(self, watcher: Watcher) -> bool:
         """Do what a watcher wants before the next step, and say whether the run goes on."""
-        while answer := watcher.before_step(Moment(len(self.records) + 1, self.here.scene, tuple(self.left))):
+        number = len(self.records) + 1
+        while answer := watcher.before_step(Moment(number, self.here.scene, tuple(self.left))):
             if answer == STOP:
                 self.ended = "stopped"
                 return False
             self.here.problem.object_named(answer.object)
             if not isinstance(watcher, Nudger):  # a drawn nudge comes while the hand holds what it lifted
                 self._put_down()
-            nudge = msgspec.structs.replace(answer, before_step=len(self.records) + 1)
-            self.nudges.append(nudge)
-            self.here.be_nudged(nudge)
+            self.nudges.append(msgspec.structs.replace(answer, before_step=number))
+            self.here.be_nudged(self.nudges[-1])
         return True
 
     def why_not_go_on(self) -> str:
@@ -189,39 +171,45 @@ class _Running:
         aimed = self.aimed if self.left else self.here.problem
         return why_not_go_on(self.left, self.here.now(aimed), self.experience)
 
-    def replan(self, replanner: Replanner, why: str) -> None:
+    def replan(self, replanner: Replanner, why: str, most: int) -> None:
         """Ask for a new plan, or else go on with the old one while nothing leaves the table."""
-        if len(self.replannings) >= self.most_replans:
-            self.ended = "budget"
+        number, asked = len(self.records) + 1, len(self.replannings) + 1
+        self.tell(f"planning anew before step {number}, new plan {asked}: {why}")
+        if asked > most or self.effort.is_used_up:
+            self.ended = "budget" if asked > most else "work"
             return
-        if self.effort.is_used_up:
-            self.ended = "work"
-            return
-        if self.progress.stalled >= PATIENCE:
+        if self.stalled >= PATIENCE:
             self.ended, self.left = "no progress", []
             return
         self._put_down()
-        new = new_plan(replanner, self._with_new_places(self.here.now()), self.experience, self.effort)
+        seen = self.here.now()
+        if self.places_drawn:
+            believed, known = self.experience.believed(msgspec.structs.replace(seen, places={}))
+            seen = msgspec.structs.replace(seen, places=understand(believed, known).places)
+        new = new_plan(replanner, seen, self.experience, self.effort)
         self.experience = new.experience
         steps = named_steps(new.steps)
-        self.replannings.append(Replanning(len(self.records) + 1, why, steps, new.reason))
-        self.progress.note(primitives(new.steps) if new.is_found else None, self._miss())
+        self.replannings.append(Replanning(number, why, steps, new.reason))
+        for watcher in self.watchers:
+            watcher.replanned(self.replannings[-1])
+        is_found = bool(new.steps) and not new.reason
+        fewest, miss = primitives(new.steps) if is_found else self.fewest, self._miss()
+        is_nearer = fewest < self.fewest or miss < self.nearest - NEARER
+        self.stalled = 0 if is_nearer else self.stalled + 1
+        self.fewest, self.nearest = min(fewest, self.fewest), min(miss, self.nearest)
         if new.steps:
             self.left, self.aimed = list(new.steps), new.problem
-        elif not self._goes_on_as_before():
+        elif not (self.left and validate(self.left, self.here.now(self.aimed), self.here.grounding).possible):
             self.ended, self.left = "work" if self.effort.is_used_up else "no plan", []
-
-    def _goes_on_as_before(self) -> bool:
-        aimed = self.here.now(self.aimed)
-        return bool(self.left) and validate(self.left, aimed, self.here.grounding).possible
 
     def step(self) -> None:
         """Perform the next step of the plan, and put down what it lifts unless that ends the plan."""
-        step, before = self.left.pop(0), self.here.scene
+        step, before, number = self.left.pop(0), self.here.scene, len(self.records) + 1
+        self.tell(f"step {number}: {step.operator} {step.object}")
         put_down = bool(self.left) or not lifts(step, self.here.grounding)
         if self.left and self.left[0].puts_down:
             self.left.pop(0)
-        with placed(f"step {len(self.records) + 1}"):
+        with placed(f"step {number}"):
             record, outcome = self.here.perform(step, put_down, self._aim(step))
         self.records.append(record)
         if outcome is None:
@@ -279,10 +267,3 @@ class _Running:
         """Return how far objects are from their goals, in sum, a missed relation as if it were far [m]."""
         distances = self.here.problem.distances(self.here.scene.positions)
         return math.fsum([*distances.values(), FAR * len(self.here.unmet())])
-
-    def _with_new_places(self, problem: Problem) -> Problem:
-        """Return a problem as it stands now, with places that suit that, unless it was given its own."""
-        if not self.places_drawn:
-            return problem
-        believed, known = self.experience.believed(msgspec.structs.replace(problem, places={}))
-        return msgspec.structs.replace(problem, places=_prepared(believed, known).places)

@@ -9,12 +9,13 @@ import msgspec
 import numpy as np
 
 from neurosym.errors import InvalidValue, InvalidWorld, UnknownChoice
-from neurosym.execution.record import Nudge, Replanning, StepRecord, record_refusal, record_step, seen_now
+from neurosym.execution.record import Nudge, Replanning, StepRecord, record_step, seen_now
 from neurosym.grounding import Grounding, is_lift
-from neurosym.operators import Primitive, vector
+from neurosym.operators import vector
 from neurosym.pair_operators import extent
 from neurosym.problems import Problem, RelationGoal
-from neurosym.tasks.supports import Contacts, touching, unmet_relations
+from neurosym.tasks.supports import Contacts, touching
+from neurosym.tasks.task import unmet_relations
 from neurosym.tasks.transition import PlanStep
 from neurosym.world import FrameSink, Outcome, Place, Reference, Scene, Table, World, relative_to
 
@@ -28,17 +29,11 @@ STOP: Literal["stop"] = "stop"
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Moment:
-    """A run between two steps.
+    """A run between two steps."""
 
-    Attributes:
-        number: Number of the step that is to be next, counted from 1.
-        scene: Where everything is, at rest.
-        left: What is left of the plan, the next step first.
-    """
-
-    number: int
-    scene: Scene
-    left: tuple[PlanStep, ...]
+    number: int  # number of the step that is to be next, counted from 1
+    scene: Scene  # where everything is, at rest
+    left: tuple[PlanStep, ...]  # what is left of the plan, the next step first
 
 
 class Watcher(Protocol):
@@ -66,19 +61,12 @@ _TRIES = 100
 
 @dataclass(slots=True)
 class Nudger:
-    """Watches a run, and nudges an object once: when, which and where to follows from a seed.
+    """Watches a run, and nudges an object once: when, which and where to follows from a seed."""
 
-    Attributes:
-        seed: Same seed, same step, object and direction.
-        steps: How many interactions the plan has; 0 if there are none, and nothing is nudged then.
-        problem: What the objects are called.
-        table: Where they may stand.
-    """
-
-    seed: int
-    steps: int
-    problem: Problem
-    table: Table
+    seed: int  # same seed, same step, object and direction
+    steps: int  # how many interactions the plan has; 0 if there are none, and nothing is nudged then
+    problem: Problem  # what the objects are called
+    table: Table  # where they may stand
     _is_done: bool = False
 
     def before_step(self, moment: Moment) -> Nudge | None:
@@ -87,11 +75,15 @@ class Nudger:
         if self._is_done or not self.steps or moment.number != int(rng.integers(self.steps)) + 1:
             return None
         self._is_done, scene = True, moment.scene
+        radii = np.hypot(scene.features[:, 0], scene.features[:, 1]) / 2  # around footprints however turned
         for _ in range(_TRIES):
             index = int(rng.integers(len(scene)))
             angle, length = rng.uniform(0, 2 * math.pi), rng.uniform(LEAST, MOST)
             by = np.array([length * math.cos(angle), length * math.sin(angle), 0.0])
-            if self.table.contains(scene.positions[index] + by) and _is_free(scene, index, by):
+            spot = scene.positions[index] + by
+            near = np.linalg.norm((scene.positions - spot)[:, :2], axis=1) < radii + radii[index]
+            near[index] = False
+            if self.table.contains(spot) and not near.any():
                 return Nudge(moment.number, self.problem.object_names[index], vector(by))
         return None
 
@@ -104,15 +96,6 @@ def nudged(scene: Scene, nudge: Nudge, problem: Problem) -> Scene:
     positions = scene.positions.copy()
     positions[problem.object_names.index(nudge.object)] += nudge.by
     return Scene(scene.features, positions, scene.orientations)
-
-
-def _is_free(scene: Scene, index: int, by: np.ndarray) -> bool:
-    """Say whether an object can be moved so, seen as the circles around footprints of any orientation."""
-    radii = np.hypot(scene.features[:, 0], scene.features[:, 1]) / 2
-    apart = np.linalg.norm(scene.positions[:, :2] - (scene.positions[index] + by)[:2], axis=1)
-    near = apart < radii + radii[index]
-    near[index] = False
-    return not near.any()
 
 
 def perform(
@@ -141,9 +124,9 @@ def perform(
     Returns:
         What happened; None if the object was out of the arm's reach.
     """
-    action = np.array(_primitive(step, grounding).action)
-    target = problem.object_names.index(step.object)
-    ghosts = problem.goal_positions()
+    operator = grounding.relation_named(step.operator) or grounding.operator_named(step.operator)
+    action = np.array(grounding.primitive_of(operator).action)
+    target, ghosts = problem.object_names.index(step.object), problem.goal_positions()
     try:
         aim = relative_to(world, reference)
         return world.interact(
@@ -157,23 +140,14 @@ def perform(
 
 @dataclass(slots=True)
 class Situation:
-    """Where everything is while a plan runs, and what acts there.
+    """Where everything is while a plan runs, and what acts there."""
 
-    Attributes:
-        world: The world to act in.
-        problem: What is to be solved.
-        grounding: What the operators' names mean.
-        on_frame: Called with pictures of motions as they happen, if given.
-        scene: Where everything is.
-        contacts: Pairs of objects that touch; None where nobody saw it.
-    """
-
-    world: World
-    problem: Problem
-    grounding: Grounding
-    on_frame: FrameSink | None
-    scene: Scene = field(init=False)
-    contacts: Contacts | None = None
+    world: World  # the world to act in
+    problem: Problem  # what is to be solved
+    grounding: Grounding  # what the operators' names mean
+    on_frame: FrameSink | None  # called with pictures of motions as they happen, if given
+    scene: Scene = field(init=False)  # where everything is
+    contacts: Contacts | None = None  # pairs of objects that touch; None where nobody saw it
 
     def __post_init__(self) -> None:
         self.scene = self.problem.scene()
@@ -205,16 +179,18 @@ class Situation:
         self, step: PlanStep, put_down: bool, reference: Reference | None = None, is_shown: bool = True
     ) -> tuple[StepRecord, Outcome | None]:
         """Perform a step from here, and return its record, and what happened if its object was in reach."""
-        world, problem, grounding = self.world, self.problem, self.grounding
-        on_frame = self.on_frame if is_shown else None
-        outcome = perform(
-            world, problem, grounding, step, self.scene, put_down, on_frame, reference=reference
-        )
+        given = self.problem, self.grounding, step, self.scene, put_down
+        outcome = perform(self.world, *given, self.on_frame if is_shown else None, reference=reference)
         if outcome is None:
-            return record_refusal(step, problem, self.scene), None
+            return record_step(step, self.problem, self.grounding, None, scene=self.scene), None
         self.scene, self.contacts = outcome.end, outcome.contacts
-        outcome = _levelled(outcome) if grounding.relations else outcome
-        return record_step(step, problem, grounding, outcome, put_down=put_down), outcome
+        if self.grounding.relations and outcome.carried and isinstance(outcome.reference, Place):
+            # What carries promises nothing of heights: what was borne counts as if it had stood on the table.
+            start, positions = outcome.start, outcome.start.positions.copy()
+            positions[outcome.target, 2] = extent(start, outcome.target)[2] / 2
+            outcome = replace(outcome, start=Scene(start.features, positions, start.orientations))
+        told = record_step(step, self.problem, self.grounding, outcome, scene=outcome.end, put_down=put_down)
+        return told, outcome
 
 
 def check_aims(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
@@ -233,21 +209,3 @@ def check_aims(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep])
 def lifts(step: PlanStep, grounding: Grounding) -> bool:
     """Say whether a step promises to end with its object held."""
     return not grounding.relation_named(step.operator) and is_lift(grounding.operator_named(step.operator))
-
-
-def _primitive(step: PlanStep, grounding: Grounding) -> Primitive:
-    operator = grounding.relation_named(step.operator) or grounding.operator_named(step.operator)
-    return grounding.primitive_of(operator)
-
-
-def _levelled(outcome: Outcome) -> Outcome:
-    """Return an outcome as if what was carried to a place had stood on the table before.
-
-    What carries to places promises nothing of heights; what was taken from another object comes down.
-    """
-    if not (outcome.carried and isinstance(outcome.reference, Place)):
-        return outcome
-    positions = outcome.start.positions.copy()
-    positions[outcome.target, 2] = extent(outcome.start, outcome.target)[2] / 2
-    start = Scene(outcome.start.features, positions, outcome.start.orientations)
-    return replace(outcome, start=start)

@@ -10,7 +10,6 @@ from typing import Any, Literal
 import msgspec
 import numpy as np
 
-from neurosym.checks import Float
 from neurosym.errors import counted, in_millimetres, version_of
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Length, Vector, vector
@@ -38,31 +37,19 @@ def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:
         item: The object as it lies; its first three features are its sizes along x, y and z [m].
         grounding: The learned domain; where it keeps no rehearsals, the category stays.
     """
-    turned = _turned(item.orientation)
+    along = np.abs(rotation(np.array(item.orientation)))
+    straight = along > math.cos(STRAIGHT)
+    turned = straight.astype(float) if straight.sum() == 3 else along
     if np.array_equal(turned, np.eye(3)):
         return item
-    sizes = np.array(item.features[:3])
-    shown = tuple(round(size, 6) for size in (turned @ sizes).tolist())
-    features = (*shown, *item.features[3:])
-    category = _category_like(features, grounding) or item.category
+    shown = tuple(round(size, 6) for size in (turned @ np.array(item.features[:3])).tolist())
+    features, category = (*shown, *item.features[3:]), item.category
+    categories = grounding.operators.categories
+    if rehearsed := [(row, one.symbol) for one in categories for row in one.objects]:
+        objects = np.array([row for row, _ in rehearsed])
+        apart = (objects - features) / np.maximum(objects.std(0), 1e-9)
+        category = rehearsed[int(np.argmin((apart**2).sum(1)))][1]
     return msgspec.structs.replace(item, features=features, category=category)
-
-
-def _turned(orientation: tuple[float, float, float, float]) -> Float[np.ndarray, "3 3"]:
-    """Return what each size adds to what shows along x, y and z; one to each if the object is straight."""
-    along = np.abs(rotation(np.array(orientation)))
-    straight = along > math.cos(STRAIGHT)
-    return np.asarray(straight.astype(float) if straight.sum() == 3 else along)
-
-
-def _category_like(features: tuple[float, ...], grounding: Grounding) -> str | None:
-    """Name the category of the rehearsed object that is most like one of these features."""
-    rehearsed = [(objects, one.symbol) for one in grounding.operators.categories for objects in one.objects]
-    if not rehearsed:
-        return None
-    objects = np.array([row for row, _ in rehearsed])
-    apart = (objects - features) / np.maximum(objects.std(0), 1e-9)
-    return rehearsed[int(np.argmin((apart**2).sum(1)))][1]
 
 
 # The machine that a run was made on: another processor, or other versions, may round otherwise
@@ -74,21 +61,13 @@ _UNKNOWN = "unknown"
 
 
 class Machine(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What the last digits of a run may depend on besides its input.
+    """What the last digits of a run may depend on besides its input."""
 
-    Attributes:
-        processor: Model of the processor.
-        instructions: The groups of vector instructions that numpy found on it.
-        architecture: What kind of machine it is, like x86_64.
-        system: Operating system, with its C library where it has one of its own.
-        versions: Versions of Python and of the packages that compute, by name.
-    """
-
-    processor: str
-    instructions: str
-    architecture: str
-    system: str
-    versions: dict[str, str]
+    processor: str  # model of the processor
+    instructions: str  # the groups of vector instructions that numpy found on it
+    architecture: str  # what kind of machine it is, like x86_64
+    system: str  # operating system, with its C library where it has one of its own
+    versions: dict[str, str]  # versions of Python and of the packages that compute, by name
 
     def differences(self, other: "Machine") -> tuple[str, ...]:
         """Say in what another machine differs, as "processor: this one's and the other's"."""
@@ -105,9 +84,10 @@ class Machine(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 def this_machine() -> Machine:
     """Return the machine that this process runs on; always the same as long as nothing is installed."""
     libc = " ".join(filter(None, platform.libc_ver()))
+    simd = np.show_config(mode="dicts").get("SIMD Extensions", {})
     return Machine(
         processor=_processor(),
-        instructions=_instructions(),
+        instructions=" ".join((*simd.get("baseline", ()), *simd.get("found", ()))),
         architecture=platform.machine() or _UNKNOWN,
         system=f"{platform.system()} {libc or platform.release()}".strip(),
         versions={"python": platform.python_version(), **{name: version_of(name) for name in PACKAGES}},
@@ -119,17 +99,12 @@ def _processor() -> str:
     try:
         lines = _CPUINFO.read_text(errors="replace").split("\n\n")[0].splitlines()
     except OSError:
-        return platform.processor() or _UNKNOWN
+        lines = []
     values = {name.strip(): value.strip() for name, _, value in (line.partition(":") for line in lines)}
     numbers = {"family": "cpu family", "model": "model", "stepping": "stepping"}
     known = ", ".join(f"{word} {values[name]}" for word, name in numbers.items() if values.get(name))
     name = values.get("model name") or platform.processor() or _UNKNOWN
     return f"{name} ({known})" if known else name
-
-
-def _instructions() -> str:
-    found = np.show_config(mode="dicts").get("SIMD Extensions", {})
-    return " ".join((*found.get("baseline", ()), *found.get("found", ())))
 
 
 StepOutcome = OutcomeKind | Literal["not performed"]
@@ -142,46 +117,25 @@ somebody stopped it; old records do not say."""
 
 
 class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One step of a plan: what was promised and what happened.
+    """One step of a plan: what was promised and what happened."""
 
-    Attributes:
-        operator: Name of the operator.
-        object: Name of the object acted upon.
-        promised: How the object was to end, and None if the operator never promised anything.
-        promised_effect: How far it was to move [m].
-        happened: How it ended.
-        effect: How far it moved [m].
-        deviation: Distance between the two displacements [m].
-        as_promised: Whether it ended so, within the tolerance.
-        positions: Centre of every object after the step [m], by name.
-        touched: Names of the other objects that the robot itself touched.
-        disturbed: How other objects ended that ended elsewhere (moved, toppled, lost), by name.
-        put_down: Whether a held object was put down again at the end of the step.
-        place: Name of the place that the object was to be carried to, or of the other object that it was to
-            be put on, if there was one.
-        aim: Where the hand aimed on the table for that, x and y [m].
-        promised_state: Name of the state that it was to end in with the other object, if it was put on one.
-        state: Name of the state that it ended in with that, if it was carried there.
-        relations: What bears each object after the step that is borne, as state and name, if that matters.
-    """
-
-    operator: str
-    object: str
-    promised: StepOutcome | None
-    promised_effect: Vector | None
-    happened: StepOutcome
-    effect: Vector
-    deviation: float | None
-    as_promised: bool
-    positions: dict[str, Vector]
-    touched: tuple[str, ...] = ()
-    disturbed: dict[str, Disturbance] = {}
-    put_down: bool = True
-    place: str | msgspec.UnsetType = msgspec.UNSET
-    aim: tuple[Length, Length] | msgspec.UnsetType = msgspec.UNSET
-    promised_state: str | msgspec.UnsetType = msgspec.UNSET
-    state: str | msgspec.UnsetType = msgspec.UNSET
-    relations: dict[str, str] | msgspec.UnsetType = msgspec.UNSET
+    operator: str  # name of the operator
+    object: str  # name of the object acted upon
+    promised: StepOutcome | None  # how the object was to end; None if the operator never promised anything
+    promised_effect: Vector | None  # how far it was to move [m]
+    happened: StepOutcome  # how it ended
+    effect: Vector  # how far it moved [m]
+    deviation: float | None  # distance between the two displacements [m]
+    as_promised: bool  # whether it ended so, within the tolerance
+    positions: dict[str, Vector]  # centre of every object after the step [m], by name
+    touched: tuple[str, ...] = ()  # names of the other objects that the robot itself touched
+    disturbed: dict[str, Disturbance] = {}  # how other objects ended that ended elsewhere, by name
+    put_down: bool = True  # whether a held object was put down again at the end of the step
+    place: str | msgspec.UnsetType = msgspec.UNSET  # the place, or the other object, that it was to go to
+    aim: tuple[Length, Length] | msgspec.UnsetType = msgspec.UNSET  # of the hand for that, x and y [m]
+    promised_state: str | msgspec.UnsetType = msgspec.UNSET  # in which it was to be with the other
+    state: str | msgspec.UnsetType = msgspec.UNSET  # in which it ended with that, if it was carried
+    relations: dict[str, str] | msgspec.UnsetType = msgspec.UNSET  # what bears objects then, by name
 
     @property
     def apart(self) -> float | None:
@@ -206,71 +160,40 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Nudge(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """An object that was moved by somebody else during the run.
+    """An object that was moved by somebody else during the run."""
 
-    Attributes:
-        before_step: Number of the step that it happened before, counted from 1.
-        object: Name of the object.
-        by: How far it was moved along x, y and z [m].
-    """
-
-    before_step: int
-    object: str
-    by: Vector
+    before_step: int  # number of the step that it happened before, counted from 1
+    object: str  # name of the object
+    by: Vector  # how far it was moved along x, y and z [m]
 
 
 class Replanning(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A new plan that was asked for during the run.
+    """A new plan that was asked for during the run."""
 
-    Attributes:
-        before_step: Number of the step that was to be next, counted from 1.
-        why: Why the old plan would not do.
-        plan: The new plan; empty if none was found.
-        reason: Why none was found, or empty.
-    """
-
-    before_step: int
-    why: str
-    plan: Steps
-    reason: str
+    before_step: int  # number of the step that was to be next, counted from 1
+    why: str  # why the old plan would not do
+    plan: Steps  # the new plan; empty if none was found
+    reason: str  # why none was found, or empty
 
 
 class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What became of a plan in the world.
+    """What became of a plan in the world."""
 
-    Attributes:
-        problem: Name of the problem.
-        plan: The steps that were asked for, as operator and object.
-        steps: A record for each interaction that was performed.
-        reached: Whether every goal was met at the end.
-        distances: How far each object with a goal ended from it [m].
-        reason: Why the goal was not reached, or empty.
-        nudge: What was nudged on the way, if anything was.
-        replannings: The new plans that were asked for.
-        tolerance: How near objects had to come [m]; None if it was the problem's own tolerance.
-        machine: What it was made on; None in records of earlier versions, and where nothing was written.
-        ended: What ended it.
-        more_nudges: What was nudged besides, in that order, if somebody did so more than once.
-        unmet: The goals by relation that were not met at the end, where there were such goals.
-        own: How many of the steps are the plan's own: those before the first new plan.
-        replanner: Who made the new plans, where there are some and it is known.
-    """
-
-    problem: str
-    plan: Steps
-    steps: tuple[StepRecord, ...]
-    reached: bool
-    distances: dict[str, float]
-    reason: str
-    nudge: Nudge | None = None
-    replannings: tuple[Replanning, ...] = ()
-    tolerance: float | None = None
-    machine: Machine | None = None
-    ended: Ended = "unknown"
-    more_nudges: tuple[Nudge, ...] | msgspec.UnsetType = msgspec.UNSET
-    unmet: tuple[RelationGoal, ...] | msgspec.UnsetType = msgspec.UNSET
-    own: int | msgspec.UnsetType = msgspec.UNSET
-    replanner: str | msgspec.UnsetType = msgspec.UNSET
+    problem: str  # name of the problem
+    plan: Steps  # the steps that were asked for, as operator and object
+    steps: tuple[StepRecord, ...]  # a record for each interaction that was performed
+    reached: bool  # whether every goal was met at the end
+    distances: dict[str, float]  # how far each object with a goal ended from it [m]
+    reason: str  # why the goal was not reached, or empty
+    nudge: Nudge | None = None  # what was nudged on the way, if anything was
+    replannings: tuple[Replanning, ...] = ()  # the new plans that were asked for
+    tolerance: float | None = None  # how near objects had to come [m]; None if it was the problem's own
+    machine: Machine | None = None  # what it was made on; None where nothing was written
+    ended: Ended = "unknown"  # what ended it
+    more_nudges: tuple[Nudge, ...] | msgspec.UnsetType = msgspec.UNSET  # those after the first
+    unmet: tuple[RelationGoal, ...] | msgspec.UnsetType = msgspec.UNSET  # at the end, if there were any
+    own: int | msgspec.UnsetType = msgspec.UNSET  # how many steps are the plan's, before the first new one
+    replanner: str | msgspec.UnsetType = msgspec.UNSET  # who made the new plans, where it is known
 
     @property
     def own_steps(self) -> int:
@@ -342,55 +265,43 @@ def ended_in(outcome: Outcome, grounding: Grounding) -> PairState | None:
 
 
 def record_step(
-    step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome, *, put_down: bool
+    step: PlanStep,
+    problem: Problem,
+    grounding: Grounding,
+    outcome: Outcome | None,
+    *,
+    scene: Scene,
+    put_down: bool = True,
 ) -> StepRecord:
-    """Record a step that was performed, whether it puts its object on another one or not.
+    """Record a step, whether it puts its object on another one or not.
 
     Args:
         step: The step.
         problem: The problem, whose objects are those of the outcome.
         grounding: What the operator promises.
-        outcome: What happened.
+        outcome: What happened; None if the object was out of the arm's reach.
+        scene: Where everything is after it.
         put_down: Whether the object was to be put down if it was held.
     """
-    is_put, names = grounding.relation_named(step.operator) is not None, problem.object_names
-    told = (_put if is_put else _moved)(step, problem, grounding, outcome)
-    promised_effect = told.pop("promised_effect")
-    deviation = math.dist(told["effect"], promised_effect) if promised_effect else None
-    if not is_put:
-        told["as_promised"] &= deviation is not None and deviation <= TOLERANCE
-    if grounding.relations and (problem.related or is_put):
-        bearers = bearers_of(seen_now(problem, outcome.end, outcome.contacts), grounding.relations)
-        told["relations"] = {name: f"{borne.state.name} {borne.by}" for name, borne in bearers.items()}
-    return msgspec.structs.replace(
-        _unpromised(step, problem, outcome.end, outcome.kind),
-        promised_effect=promised_effect,
-        deviation=deviation,
-        touched=tuple(names[index] for index in outcome.touched),
-        disturbed={names[index]: how for index, how in outcome.disturbed},
-        put_down=put_down or is_put,
-        place=step.place or msgspec.UNSET,
-        **told,
-    )
-
-
-def record_refusal(step: PlanStep, problem: Problem, scene: Scene) -> StepRecord:
-    """Record a step that could not be performed, because its object was out of the arm's reach."""
-    return _unpromised(step, problem, scene, "not performed")
-
-
-def _unpromised(step: PlanStep, problem: Problem, scene: Scene, happened: StepOutcome) -> StepRecord:
-    return StepRecord(
-        operator=step.operator,
-        object=step.object,
-        promised=None,
-        promised_effect=None,
-        happened=happened,
-        effect=(0.0, 0.0, 0.0),
-        deviation=None,
-        as_promised=False,
-        positions=dict(zip(problem.object_names, map(vector, scene.positions), strict=True)),
-    )
+    names, told = problem.object_names, dict[str, Any]()
+    if outcome:
+        is_put = grounding.relation_named(step.operator) is not None
+        told = (_put if is_put else _moved)(step, problem, grounding, outcome)
+        if grounding.relations and (problem.related or is_put):
+            bearers = bearers_of(seen_now(problem, scene, outcome.contacts), grounding.relations)
+            told["relations"] = {name: f"{borne.state.name} {borne.by}" for name, borne in bearers.items()}
+        told |= {
+            "happened": outcome.kind,
+            "touched": tuple(names[index] for index in outcome.touched),
+            "disturbed": {names[index]: how for index, how in outcome.disturbed},
+            "put_down": put_down or is_put,
+            "place": step.place or msgspec.UNSET,
+        }
+    nothing = dict.fromkeys(("promised", "promised_effect", "deviation"))
+    unmoved = {"happened": "not performed", "effect": (0.0, 0.0, 0.0), "as_promised": False}
+    positions = dict(zip(names, map(vector, scene.positions), strict=True))
+    told = {**nothing, **unmoved, "positions": positions, **told}
+    return StepRecord(operator=step.operator, object=step.object, **told)
 
 
 def _moved(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome) -> dict[str, Any]:
@@ -400,11 +311,15 @@ def _moved(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outc
     found = promised(grounding, item, problem.tolerance).get(step.operator)
     operator = found or grounding.operator_named(step.operator)
     kind = operator.promise.kind if operator.promise else None
+    wanted = grounding.displacement(operator) if operator.promise else None
+    effect = vector(outcome.effect if outcome.held else outcome.resting_effect)
+    deviation = math.dist(effect, wanted) if wanted else None
     return {
         "promised": kind,
-        "promised_effect": grounding.displacement(operator) if operator.promise else None,
-        "effect": vector(outcome.effect if outcome.held else outcome.resting_effect),
-        "as_promised": kind == outcome.kind,
+        "promised_effect": wanted,
+        "effect": effect,
+        "deviation": deviation,
+        "as_promised": kind == outcome.kind and deviation is not None and deviation <= TOLERANCE,
         "aim": (aim.x, aim.y) if isinstance(aim := outcome.reference, Place) else msgspec.UNSET,
     }
 
@@ -415,10 +330,13 @@ def _put(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcom
     target, other = outcome.target, problem.object_names.index(step.place)
     halves = (extent(outcome.end, target) + extent(outcome.end, other)) / 2
     away = outcome.end.positions[target] - outcome.end.positions[other]
+    wanted = vector(np.array(put.end.offset) * halves) if put else None
+    effect = vector(away if outcome.carried else outcome.resting_effect)
     return {
         "promised": "carried" if put else None,
-        "promised_effect": vector(np.array(put.end.offset) * halves) if put else None,
-        "effect": vector(away if outcome.carried else outcome.resting_effect),
+        "promised_effect": wanted,
+        "effect": effect,
+        "deviation": math.dist(effect, wanted) if wanted else None,
         "as_promised": put is not None and outcome.kind == "carried" and state == put.state,
         "promised_state": put.state.name if put else msgspec.UNSET,
         "state": state.name if state else msgspec.UNSET,
@@ -440,10 +358,9 @@ def why_missed(run: Run, problem: Problem, grounding: Grounding, work: int = 0) 
     if run.reached:
         return ""
     unmet = run.unmet if isinstance(run.unmet, tuple) else ()
-    relations = ", ".join(_missed(goal, run.steps, grounding) for goal in unmet)
-    missed = [relations] if relations else []
+    missed = [", ".join(_missed(goal, run.steps, grounding) for goal in unmet)] if unmet else []
     name, distance = max(run.distances.items(), key=lambda item: item[1], default=("", 0.0))
-    if name and not (relations and distance <= problem.tolerance):
+    if name and not (missed and distance <= problem.tolerance):
         allowed = f"{1000 * problem.tolerance:g} mm allowed"
         missed += [f"{name} is {in_millimetres(distance, problem.tolerance)} from its goal ({allowed})"]
     return "; ".join([*missed, _what_ended(run, work)])
@@ -453,8 +370,9 @@ def _missed(goal: RelationGoal, records: Sequence[StepRecord], grounding: Ground
     """Say what is so in the place of a goal by relation, and in which step that ended if it held."""
     target, reference, name = goal
     state = grounding.relations.state_named(name).name if grounding.relations else name
-    wanted, told = f"{state} {reference}", [_relations(record).get(target) for record in records]
-    now = (told[-1] or "borne by nothing") if records else "where it was"
+    wanted = f"{state} {reference}"
+    told = [(one.relations if isinstance(one.relations, dict) else {}).get(target) for one in records]
+    now = (told[-1] or "borne by nothing") if told else "where it was"
     said, held = f"{target} is {now}, not {wanted}", [one == wanted for one in told]
     if not any(held) or held[-1]:
         return said
@@ -462,55 +380,28 @@ def _missed(goal: RelationGoal, records: Sequence[StepRecord], grounding: Ground
     return f"{said} as after step {number - 1}: that ended in step {number}"
 
 
-def _relations(record: StepRecord) -> dict[str, str]:
-    return record.relations if isinstance(record.relations, dict) else {}
-
-
 def _what_ended(run: Run, work: int) -> str:
-    ended, records, count = run.ended, run.steps, counted(run.replans, "new plan")
-    number = len(records)
-    if ended == "lost":
-        lost = [records[-1].object] if records[-1].happened == "lost" else []
-        lost += [name for name, how in records[-1].disturbed.items() if how == "lost"]
-        return f"step {number} threw {' and '.join(lost)} off the table"
-    if ended == "out of reach":
-        return f"{records[-1].object} was out of the arm's reach in step {number}"
-    if ended == "stopped":
-        return f"it was stopped before step {number + 1}"
-    spent = f"the budget of {work:,} states for new plans was used up after {count}"
-    why = {
+    """Say what ended a run that missed its goals, or which step was the first not to do as promised."""
+    records, count, number = run.steps, counted(run.replans, "new plan"), len(run.steps)
+    last = records[-1] if records else None
+    lost = [last.object] if last and last.happened == "lost" else []
+    lost += [name for name, how in last.disturbed.items() if how == "lost"] if last else []
+    why: dict[Ended, str] = {
+        "lost": f"step {number} threw {' and '.join(lost)} off the table",
+        "out of reach": f"{last and last.object} was out of the arm's reach in step {number}",
+        "stopped": f"it was stopped before step {number + 1}",
         "no plan": f"no new plan after step {number}: {run.replannings[-1].reason if run.replans else ''}",
         "budget": f"all {count} were used up",
-        "work": f"gave up planning anew: {spent}",
+        "work": f"gave up planning anew: the budget of {work:,} states for new plans was used up after "
+        f"{count}",
         "no progress": f"the last new plans came no nearer to the goal, after {run.replans}",
     }
-    if ended in why:
-        return why[ended] + _toppled(records)
-    return f"the plan came to its end; {_first_otherwise(records)}"
-
-
-def _toppled(records: Sequence[StepRecord]) -> str:
-    """Say which step toppled something last, if one did."""
-    for number, record in reversed([*enumerate(records, 1)]):
-        fell = [record.object] if record.happened == "toppled" else []
-        fell += [name for name, how in record.disturbed.items() if how == "toppled"]
-        if fell:
-            return f"; {' and '.join(fell)} toppled in step {number}"
-    return ""
-
-
-def _first_otherwise(records: Sequence[StepRecord]) -> str:
-    """Say which step was the first not to do as promised."""
-    for number, record in enumerate(records, 1):
-        if not record.as_promised:
-            apart = (
-                ""
-                if record.apart is None
-                else f", {in_millimetres(record.apart, TOLERANCE)} from the promise"
-            )
-            promised, happened = record.promised_state or record.promised, record.state or record.happened
-            told = f"promised {promised}, ended {happened}{apart}"
-            return f"step {number}, {record.operator}: {told}"
-    if not records:
-        return "it has no step"
-    return f"every step did as promised within {1000 * TOLERANCE:.0f} mm"
+    if run.ended in why:
+        return why[run.ended]
+    said = f"every step did as promised within {1000 * TOLERANCE:.0f} mm" if records else "it has no step"
+    if other := next(((number, one) for number, one in enumerate(records, 1) if not one.as_promised), None):
+        number, one = other
+        wanted, came = one.promised_state or one.promised, one.state or one.happened
+        far = "" if one.apart is None else f", {in_millimetres(one.apart, TOLERANCE)} from the promise"
+        said = f"step {number}, {one.operator}: promised {wanted}, ended {came}{far}"
+    return f"the plan came to its end; {said}"

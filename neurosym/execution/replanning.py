@@ -17,8 +17,7 @@ from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem, SceneObject, pair_key
 from neurosym.tasks.options import PUT_DOWN, put_named
 from neurosym.tasks.promises import LEAST_CHANCE, promised
-from neurosym.tasks.supports import is_reached, is_relational
-from neurosym.tasks.task import understand
+from neurosym.tasks.task import is_reached, is_relational, understand
 from neurosym.tasks.transition import PlanStep, Replay, primitives, validate
 from neurosym.world import Outcome, OutcomeKind
 
@@ -53,13 +52,9 @@ _Key = tuple[str, str]
 
 @dataclass(slots=True)
 class Experience:
-    """What was seen of the objects and pairs of one problem.
+    """What was seen of the objects and pairs of one problem."""
 
-    Attributes:
-        grounding: What was learned of their categories.
-    """
-
-    grounding: Grounding
+    grounding: Grounding  # what was learned of their categories
     _seen: dict[_Key, list[Outcome]] = field(default_factory=dict)
     _forgotten: dict[_Key, list[Outcome]] = field(default_factory=dict)
     _kept: dict[_Key, list[bool]] = field(default_factory=dict)
@@ -79,17 +74,16 @@ class Experience:
             problem: The problem as it stands now.
         """
         every = {key: self._all(key) for key in {**self._forgotten, **self._seen}}
-        kept = {
-            key: every[key]
-            for item in (as_it_shows(lying, self.grounding) for lying in problem.objects)
-            for operator in promised(self.grounding, item, problem.tolerance).values()
-            for key in [(item.name, _label(operator, self.grounding))]
-            if _is_given_up(operator, _as_it_lies(item, every.get(key, [])), problem.tolerance)
-        }
+        kept = dict[_Key, list[Outcome]]()
+        for item in (as_it_shows(lying, self.grounding) for lying in problem.objects):
+            for operator in promised(self.grounding, item, problem.tolerance).values():
+                key = (item.name, _label(operator, self.grounding))
+                rows = every.get(key, [])
+                if _is_given_up(operator, _as_it_lies(item, rows), problem.tolerance):
+                    kept[key] = rows
         forgotten = {key: rows for key, rows in every.items() if key not in kept}
-        return Experience(
-            self.grounding, kept, forgotten, self._kept, LAST_HOPE if self._kept else self._patience
-        )
+        patience = LAST_HOPE if self._kept else self._patience
+        return Experience(self.grounding, kept, forgotten, self._kept, patience)
 
     def learn(self, step: PlanStep, outcome: Outcome) -> None:
         """Remember what a step did, by its learned name."""
@@ -114,30 +108,20 @@ class Experience:
         """
         known = {name for name, _ in self._seen}
         objects, categories, operators = [], list[Category](), list[tuple[Operator, bool]]()
-        for lying in problem.objects:
-            item = as_it_shows(lying, self.grounding)
-            if item.name not in known:
-                objects.append(item)
-                continue
-            own = f"{item.category}{_OF}{item.name}"
-            learned = self.grounding.category(item.category)
+        for item in (as_it_shows(lying, self.grounding) for lying in problem.objects):
+            own = f"{item.category}{_OF}{item.name}" if item.name in known else item.category
             objects.append(msgspec.structs.replace(item, category=own))
-            name = learned.name + _OF + item.name
-            categories.append(msgspec.structs.replace(learned, symbol=own, name=name, objects=()))
-            operators += self._operators_of(item, own, problem.tolerance)
-        believed = msgspec.structs.replace(self._without_hopeless(problem), objects=tuple(objects))
-        return believed, self._with(categories, operators) if categories else self.grounding
-
-    def _without_hopeless(self, problem: Problem) -> Problem:
-        """Return a problem in which nothing is foreseen of what is given up with pairs."""
-        most = self._patience
-        lost = [key for key, kept in self._kept.items() if len(kept) >= most and not any(kept[-most:])]
-        if not lost:
-            return problem
-        foreseen = {pair: dict(shares) for pair, shares in problem.foreseen.items()}
-        for pair, operator in lost:
-            foreseen.setdefault(pair, {})[operator] = 0.0
-        return msgspec.structs.replace(problem, foreseen=foreseen)
+            if item.name in known:
+                learned = self.grounding.category(item.category)
+                name = learned.name + _OF + item.name
+                categories.append(msgspec.structs.replace(learned, symbol=own, name=name, objects=()))
+                operators += self._operators_of(item, own, problem.tolerance)
+        foreseen, most = {pair: dict(shares) for pair, shares in problem.foreseen.items()}, self._patience
+        for (pair, label), kept in self._kept.items():
+            if len(kept) >= most and not any(kept[-most:]):
+                foreseen.setdefault(pair, {})[label] = 0.0
+        problem = msgspec.structs.replace(problem, objects=tuple(objects), foreseen=foreseen)
+        return problem, self._with(categories, operators) if categories else self.grounding
 
     def _with(self, categories: list[Category], operators: list[tuple[Operator, bool]]) -> Grounding:
         """Return the grounding with more categories, and their operators; those that carry are marked."""
@@ -145,9 +129,7 @@ class Experience:
         def extended(table: OperatorTable, *, carry: bool) -> OperatorTable:
             added = (operator for operator, carries in operators if carries is carry)
             return msgspec.structs.replace(
-                table,
-                categories=(*table.categories, *categories),
-                operators=(*table.operators, *added),
+                table, categories=(*table.categories, *categories), operators=(*table.operators, *added)
             )
 
         table, places = extended(self.grounding.operators, carry=False), self.grounding.places
@@ -155,38 +137,40 @@ class Experience:
             places = msgspec.structs.replace(places, operators=extended(places.operators, carry=True))
         return msgspec.structs.replace(self.grounding, operators=table, places=places)
 
-    def _operators_of(self, item: SceneObject, own: Symbol, tolerance: float) -> list[tuple[Operator, bool]]:
-        """Return what is believed of an object, and whether each carries it to places."""
-        found, is_slippery = [], self._is_slippery(item)
+    def _operators_of(
+        self, item: SceneObject, own: Symbol, tolerance: float
+    ) -> Iterator[tuple[Operator, bool]]:
+        """List what is believed of an object, and whether each carries it to places."""
+        rows = [rows for (name, to), rows in self._seen.items() if name == item.name and to.startswith(_TO)]
+        carried = [one.kind == "carried" for outcomes in rows for one in _as_it_lies(item, outcomes)]
+        is_slippery = len(carried) >= SLIPPERY and not any(carried)
         for operator in promised(self.grounding, item, tolerance).values():
-            key = (item.name, _label(operator, self.grounding))
+            key, promise = (item.name, _label(operator, self.grounding)), operator.promise
             outcomes, every = (_as_it_lies(item, rows) for rows in (self._seen.get(key, []), self._all(key)))
             changed, carries = operator, self.grounding.carries(operator)
-            if carries and is_slippery and operator.promise:
-                changed = _promising(operator, operator.promise, 0.0)
-            elif _is_given_up(operator, every, tolerance):
-                changed = _given_up(operator, every)
-            elif outcomes:
-                changed = _after(operator, outcomes, tolerance)
-            named = msgspec.structs.replace(changed, name=f"{operator.name}{_OF}{item.name}", category=own)
-            found.append((named, carries))
-        return found
+            if promise and carries and is_slippery:
+                changed = _promising(operator, promise, 0.0)
+            elif promise and _is_given_up(operator, every, tolerance):
+                changed = _given_up(operator, promise, every)
+            elif promise and outcomes:
+                mode, kept = _weighed_mode(promise, outcomes, tolerance)
+                changed = _promising(operator, mode, _chance(operator, outcomes, kept))
+            name = f"{operator.name}{_OF}{item.name}"
+            yield msgspec.structs.replace(changed, name=name, category=own), carries
 
-    def _is_slippery(self, item: SceneObject) -> bool:
-        """Say whether an object, as it lies, was to be carried in vain, whatever with."""
-        keys = [key for key in self._seen if key[0] == item.name and key[1].startswith(_TO)]
-        rows = [outcome for key in keys for outcome in self._seen[key]]
-        kinds = [outcome.kind for outcome in _as_it_lies(item, rows)]
-        return len(kinds) >= SLIPPERY and "carried" not in kinds
-
-    def _all(self, key: tuple[str, str]) -> list[Outcome]:
+    def _all(self, key: _Key) -> list[Outcome]:
         return [*self._forgotten.get(key, []), *self._seen.get(key, [])]
 
 
 def _as_it_lies(item: SceneObject, seen: list[Outcome]) -> list[Outcome]:
     """List what was done to an object while it lay as it does now."""
-    lay = ((one, one.start.orientations[one.target].tolist()) for one in seen)
-    return [one for one, orientation in lay if _angle(orientation, item.orientation) < STRAIGHT]
+    found = []
+    for one in seen:
+        lay = one.start.orientations[one.target].tolist()
+        along = abs(float(np.dot(lay, item.orientation))) / (math.hypot(*lay) * math.hypot(*item.orientation))
+        if 2 * math.acos(min(1.0, along)) < STRAIGHT:
+            found.append(one)
+    return found
 
 
 def learned_name(step: PlanStep) -> PlanStep:
@@ -202,11 +186,13 @@ def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> Pla
     """
     if grounding.relation_named(step.base):
         return step
-    learned, item = grounding.operator_named(step.base), problem.object_named(step.object)
-    label = _label(learned, grounding)
+
+    def means(operator: Operator) -> tuple[str, OutcomeKind | None]:
+        return _label(operator, grounding), operator.promise.kind if operator.promise else None
+
+    learned, item = means(grounding.operator_named(step.base)), problem.object_named(step.object)
     for operator in grounding.every_operator:
-        is_same = operator.category == item.category and _label(operator, grounding) == label
-        if is_same and _kind(operator) == _kind(learned):
+        if operator.category == item.category and means(operator) == learned:
             prefix = PUT_DOWN if step.puts_down else ""
             return dataclasses.replace(step, operator=prefix + operator.name)
     return step
@@ -215,24 +201,6 @@ def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> Pla
 def _label(operator: Operator, grounding: Grounding) -> str:
     """Return which motion an operator is; those that carry to places have labels of their own."""
     return f"{_TO}{operator.label}" if grounding.carries(operator) else operator.label
-
-
-def _kind(operator: Operator) -> OutcomeKind | None:
-    return operator.promise.kind if operator.promise else None
-
-
-def _angle(one: Sequence[float], other: Sequence[float]) -> float:
-    """Return by what angle two orientations differ [rad]."""
-    along = abs(float(np.dot(one, other))) / (math.hypot(*one) * math.hypot(*other))
-    return 2 * math.acos(min(1.0, along))
-
-
-def _after(operator: Operator, outcomes: list[Outcome], tolerance: float) -> Operator:
-    """Return an operator that promises what is to be believed after some outcomes."""
-    if operator.promise is None:
-        return operator
-    mode, kept = _weighed_mode(operator.promise, outcomes, tolerance)
-    return _promising(operator, mode, _chance(operator, outcomes, kept))
 
 
 def _chance(operator: Operator, outcomes: list[Outcome], kept: list[bool]) -> float:
@@ -254,26 +222,37 @@ def _is_given_up(operator: Operator, outcomes: list[Outcome], tolerance: float) 
 
 def _weighed_mode(promise: Mode, outcomes: list[Outcome], tolerance: float) -> tuple[Mode, list[bool]]:
     """Weigh a promise against what was seen, and say which outcomes came as is promised then."""
-    same = [outcome for outcome in outcomes if outcome.kind == promise.kind]
-    mode = _combined(promise, same) if same else promise
-    near = max(tolerance, TOLERANCE)
+    mode, near = promise, max(tolerance, TOLERANCE)
+    if same := [outcome for outcome in outcomes if outcome.kind == promise.kind]:
+        effect, spread = _weighed(mode.effect, mode.spread, np.array([one.effect for one in same]))
+        seen = np.array([one.resting_effect for one in same])
+        resting, resting_spread = _weighed(mode.resting_effect, mode.resting_spread, seen)
+        mode = msgspec.structs.replace(
+            mode, effect=effect, spread=spread, resting_effect=resting, resting_spread=resting_spread
+        )
+    ends = [one.effect if mode.kind == "held" else one.resting_effect for one in outcomes]
+    misses = [math.dist(mode.outcome, end) for end in ends]
+    return mode, [one.kind == mode.kind and miss <= near for one, miss in zip(outcomes, misses, strict=True)]
 
-    def miss(outcome: Outcome) -> float:
-        return math.dist(mode.outcome, outcome.effect if mode.kind == "held" else outcome.resting_effect)
 
-    return mode, [outcome.kind == mode.kind and miss(outcome) <= near for outcome in outcomes]
+def _weighed(mean: tuple[float, ...], spread: tuple[float, ...], seen: np.ndarray) -> tuple[Vector, Vector]:
+    """Weigh a mean against what was seen; it was less sure than it said if what was seen is far from it."""
+    away = np.abs(seen.mean(0) - mean)
+    before = 1 / np.maximum(np.maximum(np.array(spread), away), _SUREST) ** 2
+    now = len(seen) / REPEATS**2
+    value = (before * np.array(mean) + now * seen.mean(0)) / (before + now)
+    return vector(value), vector(np.sqrt(1 / (before + now)))
 
 
-def _given_up(operator: Operator, outcomes: list[Outcome]) -> Operator:
+def _given_up(operator: Operator, promise: Mode, outcomes: list[Outcome]) -> Operator:
     """Promise what was seen in the place of what did not come, if it can be planned with."""
-    promise, last = operator.promise, outcomes[-1]
-    assert promise is not None, "it was hoped for"
-    like = [one for one in outcomes if one.kind == last.kind]
-    if last.kind not in ("resting", "held"):
+    kind = outcomes[-1].kind
+    if kind not in ("resting", "held"):
         return _promising(operator, promise, 0.0)
+    like = [one for one in outcomes if one.kind == kind]
     seen = msgspec.structs.replace(
         promise,
-        kind=last.kind,
+        kind=kind,
         effect=vector(np.mean([one.effect for one in like], axis=0)),
         spread=(REPEATS,) * 3,
         resting_effect=vector(np.mean([one.resting_effect for one in like], axis=0)),
@@ -285,30 +264,10 @@ def _given_up(operator: Operator, outcomes: list[Outcome]) -> Operator:
 def _promising(operator: Operator, mode: Mode, share: float) -> Operator:
     """Return an operator that promises a mode, which it keeps in a share of its trials."""
     kept = round(share * operator.trials)
-    mode = msgspec.structs.replace(
-        mode, near_mean=kept, count=max(kept, 1), share=max(kept, 1) / operator.trials
-    )
+    count = max(kept, 1)
+    mode = msgspec.structs.replace(mode, near_mean=kept, count=count, share=count / operator.trials)
     others = tuple(other for other in operator.modes if other.kind != mode.kind)
     return msgspec.structs.replace(operator, modes=(mode, *others), promised=mode.kind)
-
-
-def _combined(mode: Mode, outcomes: list[Outcome]) -> Mode:
-    """Weigh what a mode promised against what was seen, each by how sure it is."""
-    effect, spread = _weighed(mode.effect, mode.spread, np.array([one.effect for one in outcomes]))
-    seen = np.array([one.resting_effect for one in outcomes])
-    resting, resting_spread = _weighed(mode.resting_effect, mode.resting_spread, seen)
-    return msgspec.structs.replace(
-        mode, effect=effect, spread=spread, resting_effect=resting, resting_spread=resting_spread
-    )
-
-
-def _weighed(mean: tuple[float, ...], spread: tuple[float, ...], seen: np.ndarray) -> tuple[Vector, Vector]:
-    """Weigh a mean against what was seen; it was less sure than it said if what was seen is far from it."""
-    away = np.abs(seen.mean(0) - mean)
-    before = 1 / np.maximum(np.maximum(np.array(spread), away), _SUREST) ** 2
-    now = len(seen) / REPEATS**2
-    value = (before * np.array(mean) + now * seen.mean(0)) / (before + now)
-    return vector(value), vector(np.sqrt(1 / (before + now)))
 
 
 PATIENCE = 10
@@ -332,28 +291,6 @@ def usual_work(problem: Problem) -> int:
     Where it is spent, a run goes on with the plan that it has.
     """
     return WORK * (2 + len(problem.objects))
-
-
-@dataclass(slots=True)
-class Progress:
-    """How near a run has come to its goal.
-
-    Attributes:
-        left: The fewest primitives that any plan so far had left.
-        miss: The least sum of the distances from the goals so far [m].
-        stalled: How many new plans in a row changed neither.
-    """
-
-    left: int
-    miss: float
-    stalled: int = 0
-
-    def note(self, left: int | None, miss: float) -> None:
-        """Take note of how many primitives a new plan has, if there is one, and how far goals are [m]."""
-        is_nearer = (left is not None and left < self.left) or miss < self.miss - NEARER
-        self.stalled = 0 if is_nearer else self.stalled + 1
-        self.left = self.left if left is None else min(left, self.left)
-        self.miss = min(miss, self.miss)
 
 
 LATER = 2
@@ -380,37 +317,21 @@ def _can_wait(left: Sequence[PlanStep], checked: Replay, problem: Problem) -> bo
     """
     if not left:
         return False
-    primitives_left = Counter(step.object for step in left if not step.puts_down)
-    missed = {
-        name: miss
-        for name, miss in problem.distances(checked.positions[-1]).items()
-        if miss > problem.tolerance
-    }
-    return bool(missed) and all(
-        miss <= 2 * problem.tolerance and primitives_left[name] > LATER for name, miss in missed.items()
-    )
+    ahead = Counter(step.object for step in left if not step.puts_down)
+    distances = problem.distances(checked.positions[-1])
+    missed = {name: miss for name, miss in distances.items() if miss > problem.tolerance}
+    near = [miss <= 2 * problem.tolerance and ahead[name] > LATER for name, miss in missed.items()]
+    return bool(missed) and all(near)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class NewPlan:
-    """What was answered when a new plan was asked for.
+    """What was answered when a new plan was asked for."""
 
-    Attributes:
-        steps: The plan, by the names of learned operators; empty if there is none.
-        problem: The problem as it stands now, with the places and only those goals that the plan is for.
-        experience: What is to be believed from now.
-        reason: Why there is no plan for all goals, or empty.
-    """
-
-    steps: tuple[PlanStep, ...]
-    problem: Problem
-    experience: Experience
-    reason: str
-
-    @property
-    def is_found(self) -> bool:
-        """Whether there is a plan for all goals."""
-        return bool(self.steps) and not self.reason
+    steps: tuple[PlanStep, ...]  # by the names of learned operators; empty if there is no plan
+    problem: Problem  # as it stands now, with the places and only those goals that the plan is for
+    experience: Experience  # what is to be believed from now
+    reason: str  # why there is no plan for all goals, or empty
 
 
 def new_plan(

@@ -26,17 +26,11 @@ Course = Literal["same bytes", "within rounding", "another"]
 
 @dataclass(frozen=True, slots=True)
 class Agreement:
-    """How well a run agrees with its record.
+    """How well a run agrees with its record."""
 
-    Attributes:
-        course: Whether it is the same byte for byte, the same within `ROUNDING`, or took another course.
-        apart: The greatest difference of two lengths [m]; of another course, where that begins.
-        where: Where another course begins, or else where bytes differ first; empty if none do.
-    """
-
-    course: Course
-    apart: float
-    where: str
+    course: Course  # whether it is the same byte for byte, the same within `ROUNDING`, or took another course
+    apart: float  # the greatest difference of two lengths [m]; of another course, where that begins
+    where: str  # where another course begins, or else where bytes differ first; empty if none do
 
 
 def rerun(
@@ -69,8 +63,14 @@ def rerun(
     known = [step for step in plan if not step.place.startswith((GOAL, PARK))]  # those of new plans are not
     check_aims(with_places(problem, grounding), grounding, known)
     here, records = Situation(world, problem, grounding, on_frame), list[StepRecord]()
+
+    def be_nudged(number: int) -> None:
+        for nudge in run.nudges:
+            if nudge.before_step == number:
+                here.be_nudged(nudge)
+
     for number, recorded in enumerate(run.steps, start=1):
-        _be_nudged(here, run, number)
+        be_nudged(number)
         if watcher and watcher.before_step(Moment(number, here.scene, (recorded.step,))) == STOP:
             break
         records.append(here.perform(recorded.step, recorded.put_down, recorded.reference)[0])
@@ -79,31 +79,22 @@ def rerun(
         if _compare(recorded, records[-1]).course == "another":
             break
     else:
-        _be_nudged(here, run, len(records) + 1)
+        be_nudged(len(records) + 1)
     own = run.own if len(records) == len(run.steps) else own_steps(records, run.replannings)
     return msgspec.structs.replace(run, steps=tuple(records), own=own, **here.judge())
 
 
-def _be_nudged(here: Situation, run: Run, number: int) -> None:
-    """Nudge all that was nudged before a step."""
-    for nudge in run.nudges:
-        if nudge.before_step == number:
-            here.be_nudged(nudge)
-
-
 def compare_runs(recorded: Run, again: Run) -> Agreement:
     """Compare a record with what `rerun` made of it, as far as it went."""
-    compared = []
-    for number, (one, other) in enumerate(zip(recorded.steps, again.steps, strict=False), start=1):
-        found = _compare(one, other, f" of step {number}, {one.operator} {one.object}")
-        if found.course == "another":
-            return found
-        compared.append(found)
-    whole = _compare(recorded, again)
-    if whole.course == "another":
-        return whole
-    different = [found for found in compared if found.where] or [whole]
-    return Agreement(whole.course, max(found.apart for found in (*compared, whole)), different[0].where)
+    pairs = enumerate(zip(recorded.steps, again.steps, strict=False), start=1)
+    found = [
+        _compare(*pair, f" of step {number}, {pair[0].operator} {pair[0].object}") for number, pair in pairs
+    ]
+    found.append(_compare(recorded, again))
+    if another := next((one for one in found if one.course == "another"), None):
+        return another
+    first = next((one.where for one in found if one.where), "")
+    return Agreement(found[-1].course, max(one.apart for one in found), first)
 
 
 def _compare(one: msgspec.Struct, other: msgspec.Struct, of: str = "") -> Agreement:
@@ -137,32 +128,19 @@ def _apart(one: Any, other: Any) -> float:
 
 
 class Execution(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What became of a plan in the world, in short.
+    """What became of a plan in the world, in short."""
 
-    Attributes:
-        reached: Whether every goal was met at the end.
-        reason: Why not, or empty.
-        kind: The same in a few words, to be counted.
-        distances: How far each object with a goal ended from it [m].
-        interactions: How many primitives were performed.
-        kept: In how many of them the object ended as promised.
-        replans: How often it was planned again.
-        touched: In how many the robot touched another object.
-        disturbed: How many other objects were moved, toppled or lost in them.
-        off_table: Names of the objects that were off the table after any of them.
-        own: How many of the primitives performed are the plan's own; None in records of earlier versions.
-    """
-
-    reached: bool
-    reason: str
-    kind: str
-    distances: dict[str, float]
-    interactions: int
-    kept: int
-    replans: int
-    touched: int
-    disturbed: int
-    off_table: tuple[str, ...]
+    reached: bool  # whether every goal was met at the end
+    reason: str  # why not, or empty
+    kind: str  # the same in a few words, to be counted
+    distances: dict[str, float]  # how far each object with a goal ended from it [m]
+    interactions: int  # how many primitives were performed
+    kept: int  # in how many of them the object ended as promised
+    replans: int  # how often it was planned again
+    touched: int  # in how many the robot touched another object
+    disturbed: int  # how many other objects were moved, toppled or lost in them
+    off_table: tuple[str, ...]  # names of the objects that were off the table after any of them
+    # how many of the primitives performed are the plan's own; None in records of earlier versions
     own: int | None = None
 
 
@@ -187,24 +165,18 @@ def summarise_run(run: Run, grounding: Grounding) -> Execution:
 
 def failure(run: Run) -> str:
     """Say in a few words why a run missed its goal: what ended it, or the worst thing that happened in it."""
-    ends = {record.happened for record in run.steps}
     bystanders = {how for record in run.steps for how in record.disturbed.values()}
-    if "lost" in ends | bystanders:
-        return "an object fell off the table"
-    if "not performed" in ends:
-        return "out of the arm's reach"
-    if "toppled" in ends | bystanders:
-        return "an object toppled"
-    if run.ended == "no progress":
-        return "new plans came no nearer"
-    if run.ended in ("budget", "work"):
-        return "new plans were used up"
-    if run.replannings and run.replannings[-1].reason:
-        return "no plan from where things ended"
-    if bystanders:
-        return "another object was moved"
-    if any(record.promised == "held" and record.happened != "held" for record in run.steps):
-        return "a grasp failed"
-    if not all(record.as_promised for record in run.steps):
-        return "an object went elsewhere"
-    return "small errors added up"
+    ends = {record.happened for record in run.steps} | bystanders
+    grasps = [record.happened for record in run.steps if record.promised == "held"]
+    causes = (
+        ("lost" in ends, "an object fell off the table"),
+        ("not performed" in ends, "out of the arm's reach"),
+        ("toppled" in ends, "an object toppled"),
+        (run.ended == "no progress", "new plans came no nearer"),
+        (run.ended in ("budget", "work"), "new plans were used up"),
+        (run.replannings and run.replannings[-1].reason, "no plan from where things ended"),
+        (bystanders, "another object was moved"),
+        (any(how != "held" for how in grasps), "a grasp failed"),
+        (not all(record.as_promised for record in run.steps), "an object went elsewhere"),
+    )
+    return next((said for is_so, said in causes if is_so), "small errors added up")

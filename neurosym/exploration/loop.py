@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.checks import Float, as_path, check_count, check_kind, check_seed
+from neurosym.checks import as_path, check_count, check_kind, check_seed
 from neurosym.contract import made, placed
 from neurosym.data.archives import read_tensors, write_tensors
 from neurosym.data.interactions import Interactions
@@ -23,8 +23,8 @@ from neurosym.data.origin import DEFAULT_STRATEGY, Dimensions, StrategyName, own
 from neurosym.errors import InvalidFile, InvalidValue, Progress
 from neurosym.exploration.curiosity import Curiosity, LearningConfig, make_curiosity
 from neurosym.files import at_once
-from neurosym.learning.training_config import EXPLORING, ModelConfig, check_numbers
-from neurosym.world import EFFECT_AXES, Outcome, Scene, World, WorldFactory
+from neurosym.learning.training_config import EXPLORING, ModelConfig, check_positive
+from neurosym.world import EFFECT_AXES, Outcome, World, WorldFactory
 from neurosym.worlds.workers import Perform, Task, crew
 
 # What is tried next: candidates are drawn, and a curious strategy picks the one it knows least about
@@ -37,22 +37,15 @@ class ExplorationConfig:
     Attributes:
         candidates: How many actions are drawn to choose one from.
         block: Interactions between two updates of the networks.
-        min_predicted_effect: Only candidates with at least this predicted sum of absolute displacements are
-            chosen from, if there are any [m]; 0 chooses from all (the paper; its authors' code: 0.1).
         learning: How the networks of a curious strategy learn.
     """
 
     candidates: int = 2000
     block: int = 512
-    min_predicted_effect: float = 0.0
     learning: LearningConfig = field(default_factory=LearningConfig)
 
     def __post_init__(self) -> None:
-        check_numbers("", self, counts=("candidates", "block"))
-        if not 0 <= self.min_predicted_effect < np.inf:
-            raise InvalidValue(
-                f"min_predicted_effect = {self.min_predicted_effect} m must be at least 0, and finite."
-            )
+        check_positive(self)
 
 
 def choose_action(
@@ -60,39 +53,23 @@ def choose_action(
 ) -> Task:
     """Draw a scene, or as many as the world says, and candidates for each, and choose among them.
 
-    Args:
-        world: Where scenes and actions come from.
-        curiosity: Says which candidate is known least; without it, the first is chosen: a random action.
-        config: How many candidates.
-        seed: Of the exploration.
-        number: Of the interaction.
+    Candidates come from the box, or as the world says, with the digits that are stored. Without curiosity the
+    first is taken: a random action.
     """
     rng = np.random.default_rng([seed, number])
     several = getattr(world, "scenes_to_choose_from", 1) if curiosity is not None else 1
-    most, best = -np.inf, None
+    count, draw = config.candidates // several, getattr(world, "draw_actions", None)
+    found: list[tuple[float, Task]] = []
     for _ in range(several):
         scene = world.sample_scene(rng, 1)
-        candidates = _draw(world, scene, config.candidates // several, rng)
+        drawn = draw(rng, scene, count) if draw else world.action_box.sample(rng, count)
+        candidates = drawn.astype(np.float32)
         if curiosity is None:
             return Task(scene, candidates[0])
-        features = scene.features[0]
-        scores = curiosity.uncertainties(features, candidates)
-        if config.min_predicted_effect > 0:
-            eligible = curiosity.expected_sizes(features, candidates) >= config.min_predicted_effect
-            if eligible.any():
-                candidates, scores = candidates[eligible], scores[eligible]
+        scores = curiosity.uncertainties(scene.features[0], candidates)
         picked = curiosity.pick(scores, rng)
-        if best is None or scores[picked] > most:
-            most, best = float(scores[picked]), Task(scene, candidates[picked])
-    assert best is not None, "there is a scene to choose from"
-    return best
-
-
-def _draw(world: World, scene: Scene, count: int, rng: np.random.Generator) -> Float[np.ndarray, "C A"]:
-    """Draw candidates from the box, or as the world says, with the digits that are stored."""
-    draw = getattr(world, "draw_actions", None)
-    drawn: np.ndarray = draw(rng, scene, count) if draw else world.action_box.sample(rng, count)
-    return drawn.astype(np.float32)
+        found.append((float(scores[picked]), Task(scene, candidates[picked])))
+    return max(found, key=lambda one: one[0])[1]
 
 
 FORMAT = "neurosym-exploration-3"
@@ -137,24 +114,16 @@ def explore(
     check_count("steps", steps)
     check_count("workers", workers)
     check_seed(seed)
-    for name, value, kind in (
-        ("strategy", strategy, str),
-        ("config", config, ExplorationConfig),
-        ("model_config", model_config, ModelConfig),
-        ("origin", origin, dict),
-    ):
-        if value is not None or name == "strategy":
-            check_kind(name, value, kind, f"of type {kind.__name__}")
+    check_kind("strategy", strategy, str, "of type str")
+    config = ExplorationConfig() if config is None else config
+    model_config = EXPLORING if model_config is None else model_config
+    origin = {} if origin is None else origin
+    given = {"config": config, "model_config": model_config, "origin": origin}
+    for name, kind in (("config", ExplorationConfig), ("model_config", ModelConfig), ("origin", dict)):
+        check_kind(name, given[name], kind, f"of type {kind.__name__}")
     if checkpoint is not None and not (checkpoint := as_path(checkpoint, "checkpoint")).is_dir():
         raise InvalidValue(f"checkpoint = {checkpoint} is no folder; make it first.")
-    explorer = _Explorer(
-        made(world_factory),
-        strategy,
-        seed,
-        config or ExplorationConfig(),
-        model_config or EXPLORING,
-        origin or {},
-    )
+    explorer = _Explorer(made(world_factory), strategy, seed, config, model_config, origin)
     if checkpoint is not None:
         explorer.resume(checkpoint, steps)
     with crew(world_factory, workers) as perform:
@@ -192,24 +161,21 @@ class _Explorer:
         origin: dict[str, Any],
     ):
         self.world, self.seed, self.config = world, seed, config
-        box = world.action_box
         self.origin = {
             "strategy": own_name(strategy),
             "seed": seed,
+            "min_predicted_effect": 0.0,  # which earlier versions let be chosen [m]
             **asdict(config),
             "model": asdict(model_config),
             **origin_of_world(world),
             **json.loads(json.dumps(origin)),  # as it comes back from a file: lists, not tuples
         }
         self.curiosity = None
-        about = strategy_named(strategy, config.min_predicted_effect).curious_about
-        if about is not None:
+        if about := strategy_named(strategy).curious_about:
+            box, axes = world.action_box, getattr(world, "effect_axes", EFFECT_AXES)
             columns = tuple(np.flatnonzero(box.gripper).tolist())
-            axes = getattr(world, "effect_axes", EFFECT_AXES)
             dimensions = Dimensions(len(world.feature_names), len(box.low), axes, columns)
-            self.curiosity = make_curiosity(
-                about, dimensions, model_config, config.learning, box.mirrors, seed
-            )
+            self.curiosity = make_curiosity(about, dimensions, model_config, config.learning, seed)
         self.interactions: Interactions | None = None
         self.blocks = self.kept = 0
 
@@ -272,7 +238,12 @@ class _Explorer:
         options, blocks = description.get("options"), description.get("blocks")
         if not isinstance(options, dict) or type(blocks) is not int or blocks < 0:
             raise InvalidFile(path, "it does not say how many blocks there are, or with which options")
-        _check_options(path, options, self.origin)
+        for name in ("strategy", "seed", *sorted(options.keys() | self.origin.keys())):
+            if (stored := options.get(name)) != (wanted := self.origin.get(name)):
+                raise InvalidValue(
+                    f"{path} was made with {name} = {stored!r}, not {wanted!r}; "
+                    f"use that again, or remove {STATE_FILE} and {INTERACTIONS_FILE} to begin anew."
+                )
         rows = blocks * self.config.block
         if rows > steps:
             raise InvalidValue(
@@ -303,13 +274,3 @@ class _Explorer:
         if len(found) < rows:
             raise InvalidFile(path, f"it holds fewer than the {rows} interactions of {state}; {begin_anew}")
         return found[:rows]
-
-
-def _check_options(path: Path, stored: dict[str, Any], wanted: dict[str, Any]) -> None:
-    telling = ("strategy", "seed")
-    for name in (*telling, *sorted(stored.keys() | wanted.keys())):
-        if stored.get(name) != wanted.get(name):
-            raise InvalidValue(
-                f"{path} was made with {name} = {stored.get(name)!r}, not {wanted.get(name)!r}; "
-                f"use that again, or remove {STATE_FILE} and {INTERACTIONS_FILE} to begin anew."
-            )

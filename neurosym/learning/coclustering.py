@@ -6,7 +6,7 @@ such that each block of the table is as nearly constant as possible. It is found
 objects' kinds held fixed, k-means over the actions, and the other way round.
 """
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,15 +17,8 @@ _LLOYD_STEPS = 15
 _LEAST_GAIN = 5e-13  # of a swap, so that rounding ends the search
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class CoClustering:
-    """A partition of the rows and columns of a table of effects.
-
-    Attributes:
-        rows: Kind of each row (action).
-        columns: Kind of each column (object).
-        error: Mean squared distance of an entry to the mean of its block.
-    """
+class CoClustering(NamedTuple):
+    """Kinds of the rows and columns of a table, and the mean squared distance of entries to block means."""
 
     rows: Int[np.ndarray, "R"]
     columns: Int[np.ndarray, "C"]
@@ -39,15 +32,7 @@ def cocluster(
     rng: np.random.Generator,
     restarts: int = 5,
 ) -> CoClustering:
-    """Partition rows and columns so that blocks are nearly constant; the best of several starts.
-
-    Args:
-        table: Effects of each action (row) on each object (column), standardised.
-        row_kinds: How many kinds of row at most.
-        column_kinds: How many kinds of column at most.
-        rng: Source of randomness, owned by the caller.
-        restarts: How many starts.
-    """
+    """Partition rows and columns so that blocks are nearly constant; the best of several starts."""
     results = [_alternate(table, row_kinds, column_kinds, rng) for _ in range(restarts)]
     return min(results, key=lambda result: result.error)
 
@@ -55,13 +40,7 @@ def cocluster(
 def profiles(
     table: Float[np.ndarray, "R C E"], columns: Int[np.ndarray, "C"], kinds: int
 ) -> Float[np.ndarray, "R D"]:
-    """Describe each row by its mean over each kind of column, weighted to keep the distances of the table.
-
-    Args:
-        table: The table.
-        columns: Kind of each column.
-        kinds: How many kinds there are.
-    """
+    """Describe each row by its mean over each kind of column, weighted to keep the distances of the table."""
     members = np.eye(kinds)[columns]  # (C, kinds)
     weights = members / np.sqrt(np.maximum(members.sum(0), 1) * len(columns))
     means = np.tensordot(table, weights.astype(table.dtype), axes=(1, 0))  # (R, E, kinds)
@@ -111,10 +90,6 @@ def gray_order(centres: Float[np.ndarray, "L D"], rng: np.random.Generator) -> I
     """Give each kind a code such that kinds one bit apart are alike, by swaps while they help.
 
     A bit that the encoder gets wrong then does little harm.
-
-    Args:
-        centres: What each kind does; there are 2^K of them.
-        rng: Source of randomness, owned by the caller.
     """
     kinds = len(centres)
     distances = ((centres[:, None] - centres) ** 2).sum(2)

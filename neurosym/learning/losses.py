@@ -1,10 +1,9 @@
 """Losses of the effect model, and the loop that descends them."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import torch
@@ -13,8 +12,8 @@ from torch.nn import functional
 
 from neurosym.checks import Float, Int
 from neurosym.data.interactions import Interactions
-from neurosym.data.origin import Dimensions, mirrors_of, strategy_of
-from neurosym.learning.network import EffectModel, one_thread, reflected, tensor
+from neurosym.data.origin import REQUIRED, Dimensions, mirrors_of, strategy_of
+from neurosym.learning.network import DirectModel, EffectModel, one_thread, reflected, tensor
 from neurosym.world import Mirror
 
 BatchLoss = Callable[[Tensor], Tensor]
@@ -36,10 +35,6 @@ def nt_xent(embeddings: Float[Tensor, "B K"], temperature: float) -> Float[Tenso
     """Compute the contrastive loss of eq. 8 as printed: each sample is its own positive.
 
     Since s_ii = 1, what is left is a pull towards embeddings that are spread evenly.
-
-    Args:
-        embeddings: Concatenated object and action embeddings.
-        temperature: The temperature tau.
     """
     unit = functional.normalize(embeddings, dim=1)
     similarities = unit @ unit.T / temperature  # (B, B)
@@ -78,19 +73,23 @@ def prediction_loss(
     chosen: Float[Tensor, "B Ka"],
     effects: Float[Tensor, "B E"],
 ) -> Float[Tensor, ""]:
-    """Compute how badly the decoder predicts effects from embeddings or codes: NLL, or squared error.
-
-    Args:
-        model: The model whose decoder predicts.
-        objects: Embeddings or +-1 codes of the objects.
-        chosen: Embeddings or +-1 codes of the actions.
-        effects: Observed effects [m].
-    """
+    """Compute how badly the decoder predicts effects [m] from embeddings or +-1 codes, by the head's loss."""
     mean, log_variance = model.decode(objects, chosen)
     targets = (effects - model.effect_mean) / model.effect_std
     if model.config.head == "mean":
         return functional.mse_loss(mean, targets)
     return negative_log_likelihood(mean, log_variance, targets)
+
+
+def squared_error(
+    model: DirectModel,
+    features: Float[Tensor, "B F"],
+    actions: Float[Tensor, "B A"],
+    outcomes: Float[Tensor, "B O"],
+) -> Float[Tensor, ""]:
+    """Compute the squared error of a network without a bottleneck, where outcomes [m] are standardised."""
+    targets = (outcomes - model.effect_mean) / model.effect_std
+    return functional.mse_loss(model(features, actions), targets)
 
 
 def run_epochs(
@@ -124,8 +123,9 @@ def run_epochs(
     for epoch in range(epochs):
         batches: tuple[Int[Tensor, " B"], ...] = torch.randperm(rows, generator=generator).tensor_split(parts)
         for number, indices in enumerate(batches):
-            if decay:
-                _set_rates(optimiser, rates, (epoch * parts + number) / (epochs * parts))
+            done = (epoch * parts + number) / (epochs * parts)
+            for group, rate in zip(optimiser.param_groups, rates, strict=True):
+                group["lr"] = rate * 0.5 * (1 + math.cos(math.pi * done)) if decay else rate
             optimiser.zero_grad()
             loss_of(indices).backward()  # type: ignore[no-untyped-call]
             torch.nn.utils.clip_grad_norm_(parameters, clip_norm)
@@ -145,11 +145,6 @@ def reproducible(seed: int) -> Iterator[torch.Generator]:
     """
     with one_thread(), torch.random.fork_rng(devices=[]):
         yield torch.manual_seed(seed)
-
-
-def _set_rates(optimiser: torch.optim.Optimizer, rates: list[float], share_done: float) -> None:
-    for group, rate in zip(optimiser.param_groups, rates, strict=True):
-        group["lr"] = rate * 0.5 * (1 + math.cos(math.pi * share_done))
 
 
 # Training data as tensors, with what is known of the actions they were drawn from
@@ -192,10 +187,6 @@ class Samples:
         actions, effects = reflected(self.actions[rows], self.effects[rows], self.mirrors, generator)
         return self.features[rows], actions, effects
 
-    def outcomes(self, *, peaks: bool) -> Float[Tensor, "N O"]:
-        """Put the peak heights behind the effects, or leave them out."""
-        return torch.cat([self.effects, self.peaks[:, None]], dim=1) if peaks else self.effects
-
     def imagine(
         self, count: int, generator: torch.Generator
     ) -> tuple[Float[Tensor, "B F"], Float[Tensor, "B A"]]:
@@ -203,11 +194,11 @@ class Samples:
 
         Objects are those of the data. Actions come from the box if those of the data did, else from the data.
         """
-        rows = torch.randint(len(self), (count,), generator=generator)
+        features = self.features[torch.randint(len(self), (count,), generator=generator)]
         if self.low is None or self.high is None:
-            return self.features[rows], self.actions[torch.randint(len(self), (count,), generator=generator)]
+            return features, self.actions[torch.randint(len(self), (count,), generator=generator)]
         drawn = torch.rand(count, len(self.low), generator=generator)
-        return self.features[rows], self.low + drawn * (self.high - self.low)
+        return features, self.low + drawn * (self.high - self.low)
 
 
 def samples_of(interactions: Interactions, *, mirrors: bool = True) -> Samples:
@@ -236,10 +227,5 @@ def samples_of(interactions: Interactions, *, mirrors: bool = True) -> Samples:
 
 def dimensions_of(interactions: Interactions) -> Dimensions:
     """Read from a data set what a network for it must read and write."""
-    origin: Mapping[str, Any] = interactions.origin
-    return Dimensions(
-        features=interactions.features.shape[1],
-        actions=interactions.actions.shape[1],
-        effects=interactions.effects.shape[1],
-        gripper_columns=tuple(origin.get("gripper_columns", ())),
-    )
+    features, actions, effects = (interactions.columns[name].shape[1] for name in REQUIRED)
+    return Dimensions(features, actions, effects, tuple(interactions.origin.get("gripper_columns", ())))

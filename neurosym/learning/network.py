@@ -22,15 +22,7 @@ from neurosym.world import Mirror
 
 Network = TypeVar("Network", bound="EffectNetwork")
 
-_MISFITS = (
-    KeyError,
-    TypeError,
-    ValueError,
-    ArithmeticError,
-    RuntimeError,
-    InvalidValue,
-    msgspec.ValidationError,
-)
+_MISFITS = KeyError, TypeError, ValueError, ArithmeticError, RuntimeError, InvalidValue
 """What is raised where a description is foreign, or weights do not fit it."""
 
 
@@ -64,16 +56,15 @@ class EffectNetwork(nn.Module):
         self.register_buffer("effect_std", torch.ones(outputs))
 
     def set_scale(self, effects: Float[Tensor, "N E"], mirrored: tuple[int, ...] = ()) -> None:
-        """Standardise effects by mean and standard deviation of these, together with their mirror images.
-
-        Args:
-            effects: Effects, or all that is predicted [m].
-            mirrored: Axes whose sign some mirror of the world changes; their mean is 0.
-        """
+        """Standardise effects by mean and standard deviation of these, together with their mirror images."""
         mean = effects.mean(0)
         mean[list(mirrored)] = 0.0
         self.effect_mean.copy_(mean)
         self.effect_std.copy_(((effects - mean) ** 2).mean(0).sqrt().clamp(min=1e-4))
+
+    def unscaled(self, outcomes: Float[Tensor, "B O"]) -> Float[Tensor, "B O"]:
+        """Return standardised effects, or all that is predicted, in metres."""
+        return outcomes * self.effect_std + self.effect_mean
 
     def save(self, path: Path) -> None:
         """Write weights, configuration and `trained_by` as a safetensors file."""
@@ -108,12 +99,12 @@ class EffectNetwork(nn.Module):
         return network.eval()
 
 
-def hidden_layers(inputs: int, width: int, dropout: float) -> list[nn.Module]:
-    """Make three hidden layers with ReLU and dropout."""
+def _layers(inputs: int, width: int, dropout: float, outputs: int) -> list[nn.Module]:
+    """Make three hidden layers with ReLU and dropout, and one behind them."""
     layers: list[nn.Module] = []
     for before, after in itertools.pairwise([inputs, width, width, width]):
         layers += [nn.Linear(before, after), nn.ReLU(inplace=True), nn.Dropout(dropout)]
-    return layers
+    return [*layers, nn.Linear(width, outputs)]
 
 
 def tensor(values: np.ndarray) -> Tensor:
@@ -157,10 +148,7 @@ def with_gripper_states(
     A gripper value acts only through the threshold. Backwards the step counts as
     sigmoid(sharpness (g - 0.5)), so that distillation can still move it.
 
-    Args:
-        actions: Action parameters.
-        columns: Which of them are gripper values.
-        sharpness: Of the sigmoid; None leaves the values as they are (the paper).
+    Without sharpness, of the sigmoid, the values stay as they are (the paper).
     """
     if sharpness is None or not columns:
         return actions
@@ -177,10 +165,6 @@ class InputNorm(nn.BatchNorm1d):
 
     A state that hardly ever changes in the data would be divided by next to nothing, and the other state be
     something that the network has never seen the like of.
-
-    Args:
-        inputs: How many inputs there are.
-        states: Which of them are states of 0 or 1.
     """
 
     is_state: Tensor
@@ -202,14 +186,7 @@ def reflected(
     mirrors: Sequence[Mirror],
     generator: torch.Generator,
 ) -> tuple[Float[Tensor, "B A"], Float[Tensor, "B E"]]:
-    """Look at each sample through each mirror or not, by the toss of a coin.
-
-    Args:
-        actions: Action parameters.
-        effects: Their effects.
-        mirrors: Those of the world.
-        generator: Source of randomness, owned by the caller.
-    """
+    """Look at each sample through each mirror or not, by the toss of a coin."""
     if not mirrors:
         return actions, effects
     action_signs, effect_signs = torch.ones_like(actions), torch.ones_like(effects)
@@ -232,12 +209,7 @@ LOG_VARIANCE_FLOOR = -5.0
 
 
 class EffectModel(EffectNetwork):
-    """Predicts the effect of an action on an object, through symbols.
-
-    Args:
-        dimensions: What the network reads and writes.
-        config: How it is built.
-    """
+    """Predicts the effect of an action on an object, through symbols."""
 
     FORMAT = "neurosym-effect-model-3"
     CONFIG = ModelConfig
@@ -245,14 +217,13 @@ class EffectModel(EffectNetwork):
 
     def __init__(self, dimensions: Dimensions, config: ModelConfig):
         super().__init__(dimensions, config)
-        bits = config.object_bits + config.action_bits
-        outputs = dimensions.effects * (2 if config.head == "gaussian" else 1)
+        bits, outputs = config.object_bits + config.action_bits, dimensions.effects
         states = dimensions.gripper_columns if config.gripper_sharpness is not None else ()
         self.object_encoder = _encoder(InputNorm(dimensions.features, ()), config.object_bits, config)
         self.action_encoder = _encoder(InputNorm(dimensions.actions, states), config.action_bits, config)
         self.norm = nn.LayerNorm(bits) if config.layer_norm else nn.Identity()
-        layers = hidden_layers(bits, config.hidden, config.dropout)
-        self.decoder = nn.Sequential(*layers, nn.Linear(config.hidden, outputs))
+        outputs *= 2 if config.head == "gaussian" else 1
+        self.decoder = nn.Sequential(*_layers(bits, config.hidden, config.dropout, outputs))
 
     def embed_objects(self, features: Float[Tensor, "B F"]) -> Float[Tensor, "B Ko"]:
         """Encode objects into embeddings in [-1, 1]."""
@@ -286,11 +257,7 @@ class EffectModel(EffectNetwork):
         return self.decode(self.embed_objects(features), self.embed_actions(actions))
 
     def object_codes(self, features: Float[np.ndarray, "N F"]) -> Float[np.ndarray, "N Ko"]:
-        """Encode objects into embeddings, whose signs are the bits of their symbols.
-
-        Raises:
-            InvalidValue: If they have not as many features as the network reads.
-        """
+        """Encode objects into embeddings, whose signs are the bits; other widths raise `InvalidValue`."""
         check_array("features", features, (None, self.dimensions.features))
         with inference(self):
             return self.embed_objects(tensor(features)).numpy()
@@ -298,23 +265,15 @@ class EffectModel(EffectNetwork):
     def object_margins(self, features: Float[np.ndarray, "N F"]) -> Float[np.ndarray, "N Ko"]:
         """Return what the embeddings of objects are before they are squashed into [-1, 1].
 
-        The signs are the bits. How far a value is from 0 says how far a bit is from its flip, even where the
-        embedding itself is 1 or -1 already.
-
-        Raises:
-            InvalidValue: If they have not as many features as the network reads.
+        How far a value is from 0 says how far a bit is from its flip, even where the embedding itself is 1 or
+        -1 already.
         """
-        check_array("features", features, (None, self.dimensions.features))
         with inference(self):
             margins: np.ndarray = self.object_encoder[:-1](tensor(features)).numpy()
         return margins
 
     def action_codes(self, actions: Float[np.ndarray, "N A"]) -> Float[np.ndarray, "N Ka"]:
-        """Encode actions into embeddings, whose signs are the bits of their symbols.
-
-        Raises:
-            InvalidValue: If they have not as many parameters as the network reads.
-        """
+        """Encode actions into embeddings, whose signs are the bits; other widths raise `InvalidValue`."""
         check_array("actions", actions, (None, self.dimensions.actions))
         with inference(self):
             return self.embed_actions(tensor(actions)).numpy()
@@ -355,21 +314,15 @@ class EffectModel(EffectNetwork):
         chosen = tensor(np.array([signs(symbol) for symbol in primitives]))  # (P, Ka)
         with inference(self):
             objects = as_signs(self.embed_objects(tensor(features)))  # (M, Ko)
-            mean, _ = self.decode(
-                objects.repeat_interleave(len(chosen), 0), chosen.repeat(len(objects), 1)
-            )  # (M * P, E)
-            table: np.ndarray = (mean * self.effect_std + self.effect_mean).numpy()
+            pairs = objects.repeat_interleave(len(chosen), 0), chosen.repeat(len(objects), 1)
+            mean, _ = self.decode(*pairs)  # (M * P, E)
+            table: np.ndarray = self.unscaled(mean).numpy()
         return table.reshape(len(features), len(primitives), -1)
 
     def mean_entropies(
         self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
     ) -> Float[np.ndarray, "C"]:
-        """Compute the entropy of the predicted effect, averaged over the axes (Algorithm 1, lines 5-9).
-
-        Args:
-            features: Features of the one object.
-            candidates: Actions that could be performed on it.
-        """
+        """Compute the entropy of the predicted effect, averaged over the axes (Algorithm 1, lines 5-9)."""
         with inference(self):
             chosen = self.embed_actions(tensor(candidates))
             objects = self.embed_objects(tensor(features[None])).expand(len(chosen), -1)
@@ -379,8 +332,7 @@ class EffectModel(EffectNetwork):
         return mean
 
     def _in_metres(self, mean: Tensor, log_variance: Tensor) -> tuple[np.ndarray, np.ndarray]:
-        variance = log_variance.exp() * self.effect_std**2
-        return (mean * self.effect_std + self.effect_mean).numpy(), variance.numpy()
+        return self.unscaled(mean).numpy(), (log_variance.exp() * self.effect_std**2).numpy()
 
 
 def as_signs(embeddings: Float[Tensor, "B K"]) -> Float[Tensor, "B K"]:
@@ -389,8 +341,7 @@ def as_signs(embeddings: Float[Tensor, "B K"]) -> Float[Tensor, "B K"]:
 
 
 def _encoder(norm: InputNorm, bits: int, config: ModelConfig) -> nn.Sequential:
-    layers = hidden_layers(norm.num_features, config.hidden, config.dropout)
-    return nn.Sequential(norm, *layers, nn.Linear(config.hidden, bits), nn.Tanh())
+    return nn.Sequential(norm, *_layers(norm.num_features, config.hidden, config.dropout, bits), nn.Tanh())
 
 
 # A network without a bottleneck: from object and action straight to the effect.
@@ -400,12 +351,7 @@ def _encoder(norm: InputNorm, bits: int, config: ModelConfig) -> nn.Sequential:
 
 
 class DirectModel(EffectNetwork):
-    """Predicts the effect of an action on an object.
-
-    Args:
-        dimensions: What the network reads and writes.
-        config: How it is built.
-    """
+    """Predicts the effect of an action on an object."""
 
     FORMAT = "neurosym-direct-model-2"
     CONFIG = DirectConfig
@@ -414,16 +360,15 @@ class DirectModel(EffectNetwork):
     def __init__(self, dimensions: Dimensions, config: DirectConfig):
         outputs = dimensions.effects + config.peaks
         super().__init__(dimensions, config, outputs)
-        inputs = dimensions.features + dimensions.actions
-        layers = hidden_layers(inputs, config.hidden, config.dropout)
         columns = dimensions.gripper_columns if config.gripper_sharpness is not None else ()
+        inputs = dimensions.features + dimensions.actions
         norm = InputNorm(inputs, [dimensions.features + column for column in columns])
-        self.layers = nn.Sequential(norm, *layers, nn.Linear(config.hidden, outputs))
+        self.layers = nn.Sequential(norm, *_layers(inputs, config.hidden, config.dropout, outputs))
 
     def forward(self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]) -> Float[Tensor, "B O"]:
         """Predict the effect, and the peak height behind it if `config.peaks`; all standardised."""
-        dimensions = self.dimensions
-        actions = with_gripper_states(actions, dimensions.gripper_columns, self.config.gripper_sharpness)
+        columns = self.dimensions.gripper_columns
+        actions = with_gripper_states(actions, columns, self.config.gripper_sharpness)
         outputs: Tensor = self.layers(torch.cat([features, actions], dim=1))
         return outputs
 
@@ -436,11 +381,7 @@ class DirectModel(EffectNetwork):
 
     def effects(self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]) -> Float[Tensor, "B E"]:
         """Predict the effect [m]."""
-        axes = self.dimensions.effects
-        effects: Tensor = (
-            self.standard_effects(features, actions) * self.effect_std[:axes] + self.effect_mean[:axes]
-        )
-        return effects
+        return self.unscaled(self(features, actions))[:, : self.dimensions.effects]
 
     def predict(
         self, features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]
@@ -453,6 +394,5 @@ class DirectModel(EffectNetwork):
     ) -> Float[np.ndarray, "N O"]:
         """Predict effects, and peak heights behind them if `config.peaks` [m]."""
         with inference(self):
-            mean = self(tensor(features), tensor(actions))
-            outcomes: np.ndarray = (mean * self.effect_std + self.effect_mean).numpy()
+            outcomes: np.ndarray = self.unscaled(self(tensor(features), tensor(actions))).numpy()
         return outcomes

@@ -12,7 +12,7 @@
   and not as somebody curious chose them.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, replace
 from functools import partial
@@ -23,9 +23,19 @@ import torch
 from torch import Tensor, nn
 
 from neurosym.checks import Float, Int
-from neurosym.learning.coclustering import CoClustering, cocluster, gray_order, profiles
-from neurosym.learning.losses import BatchLoss, FitProgress, Samples, prediction_loss, run_epochs, total_loss
-from neurosym.learning.network import DirectModel, EffectModel, as_signs, reflected
+from neurosym.data.origin import Dimensions
+from neurosym.learning.coclustering import cocluster, gray_order, profiles
+from neurosym.learning.losses import (
+    BatchLoss,
+    FitProgress,
+    Samples,
+    prediction_loss,
+    reproducible,
+    run_epochs,
+    squared_error,
+    total_loss,
+)
+from neurosym.learning.network import DirectModel, EffectModel, as_signs
 from neurosym.learning.training_config import ModelConfig, TrainingConfig
 
 # What the codes shall stand for, to begin with: a co-clustering of what a teacher predicts.
@@ -66,32 +76,25 @@ def find_code_targets(
     config: TrainingConfig,
     generator: torch.Generator,
 ) -> CodeTargets:
-    """Co-cluster what the teacher predicts. Codes are given so that kinds one bit apart are alike.
-
-    Args:
-        teacher: The network without a bottleneck.
-        bits: How many bits symbols have.
-        samples: The training data.
-        config: How much is asked of the teacher.
-        generator: Source of randomness, owned by the caller.
-    """
-    rng = np.random.default_rng(int(torch.randint(2**31, (1,), generator=generator)))
-    features, _ = samples.imagine(config.naming.table_objects, generator)
-    _, actions = samples.imagine(config.naming.table_actions, generator)
+    """Co-cluster what the teacher predicts. Codes are given so that kinds one bit apart are alike."""
+    rng, naming = np.random.default_rng(int(torch.randint(2**31, (1,), generator=generator))), config.naming
+    features, _ = samples.imagine(naming.table_objects, generator)
+    _, actions = samples.imagine(naming.table_actions, generator)
     table = _table(teacher, features, actions)  # (R, C, E)
     kinds = 2**bits.action_bits, 2**bits.object_bits
-    found = cocluster(table, *kinds, rng, restarts=config.naming.table_restarts)
-    flipped = CoClustering(rows=found.columns, columns=found.rows, error=found.error)
-    row_codes, column_codes = (
-        gray_order(_centres(t, f, k), rng)
-        for t, f, k in ((table, found, kinds), (table.transpose(1, 0, 2), flipped, kinds[::-1]))
-    )
+    found = cocluster(table, *kinds, rng, restarts=naming.table_restarts)
+    rows, columns = np.eye(kinds[0])[found.rows], np.eye(kinds[1])[found.columns]  # (R, La), (C, Lo)
+    row_codes = gray_order(_means_of_kinds(profiles(table, found.columns, kinds[1]), rows), rng)
+    flipped = profiles(table.transpose(1, 0, 2), found.rows, kinds[0])
+    column_codes = gray_order(_means_of_kinds(flipped, columns), rng)
+    counts = np.maximum(np.outer(rows.sum(0), columns.sum(0)), 1)[:, :, None]
     effects = np.empty((*kinds, table.shape[2]))
-    effects[np.ix_(row_codes, column_codes)] = _blocks(table, found, kinds)
+    blocks = np.einsum("rce,rk,cl->kle", table, rows, columns, optimize=True) / counts
+    effects[np.ix_(row_codes, column_codes)] = blocks
     objects = _some_of_each(found.columns, _OBJECTS_ASKED, rng)
     shown = rng.permutation(len(actions))[:_ACTIONS_ASKED]
-    more_features, _ = samples.imagine(config.naming.objects, generator)
-    _, more_actions = samples.imagine(config.naming.actions, generator)
+    more_features, _ = samples.imagine(naming.objects, generator)
+    _, more_actions = samples.imagine(naming.actions, generator)
     by_object = _table(teacher, features[objects], more_actions)
     by_action = _table(teacher, more_features, actions[shown]).transpose(1, 0, 2)
     object_codes, action_codes = column_codes[found.columns], row_codes[found.rows]
@@ -104,6 +107,14 @@ def find_code_targets(
     )
 
 
+def _means_of_kinds(
+    points: Float[np.ndarray, "R D"], members: Float[np.ndarray, "R L"]
+) -> Float[np.ndarray, "L D"]:
+    """Average the points of each kind; members are 1 for the kind that a point is of, else 0."""
+    means: np.ndarray = members.T @ points / np.maximum(members.sum(0), 1)[:, None]
+    return means
+
+
 def _costs(
     table: Float[np.ndarray, "R C E"],
     effects: Float[np.ndarray, "L K E"],
@@ -112,11 +123,7 @@ def _costs(
 ) -> Float[Tensor, "R L"]:
     """Reckon what each code would cost each row, columns of a code counting as often as in the whole table.
 
-    Args:
-        table: Predicted effects.
-        effects: What codes of rows and columns stand for.
-        codes: Code of each column of this table.
-        whole: Code of each column of the whole table.
+    Of this table and of the whole one, the code of each column is given.
     """
     shares = np.bincount(whole, minlength=effects.shape[1]) / len(whole)
     costs = np.zeros((len(table), len(effects)))
@@ -146,36 +153,12 @@ def _table(
     return torch.cat(parts).numpy().reshape(len(actions), len(features), -1)
 
 
-def _blocks(table: np.ndarray, found: CoClustering, kinds: tuple[int, int]) -> Float[np.ndarray, "La Lo E"]:
-    """Average the table over each block."""
-    rows, columns = np.eye(kinds[0])[found.rows], np.eye(kinds[1])[found.columns]
-    counts = np.maximum(np.outer(rows.sum(0), columns.sum(0)), 1)[:, :, None]
-    means: np.ndarray = np.einsum("rce,rk,cl->kle", table, rows, columns, optimize=True) / counts
-    return means
-
-
-def _centres(table: np.ndarray, found: CoClustering, kinds: tuple[int, int]) -> Float[np.ndarray, "L D"]:
-    """Average the profiles of the rows of each kind."""
-    points, members = profiles(table, found.columns, kinds[1]), np.eye(kinds[0])[found.rows]
-    means: np.ndarray = members.T @ points / np.maximum(members.sum(0), 1)[:, None]
-    return means
-
-
 _LIKELIHOOD_WEIGHT = 0.05
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fit:
-    """One fit of an effect model.
-
-    Attributes:
-        model: The model.
-        teacher: A network without a bottleneck on the same data.
-        samples: The training data.
-        config: How it is fitted.
-        generator: Source of randomness.
-        progress: Told how far it has come.
-    """
+    """One fit of an effect model, taught by a network without a bottleneck on the same data."""
 
     model: EffectModel
     teacher: DirectModel
@@ -184,16 +167,12 @@ class Fit:
     generator: torch.Generator
     progress: FitProgress
 
-    def imagine(self, count: int) -> tuple[Float[Tensor, "B F"], Float[Tensor, "B A"]]:
-        """Draw objects and actions, for the teacher to say what would happen."""
-        return self.samples.imagine(count, self.generator)
-
     def codes_of(self, features: Tensor, actions: Tensor) -> tuple[Tensor, Tensor]:
         """Encode objects and actions into codes of +-1."""
         return as_signs(self.model.embed_objects(features)), as_signs(self.model.embed_actions(actions))
 
     def descend(
-        self, stage: str, loss_of: BatchLoss, rows: int, parameters: list[nn.Parameter], epochs: int
+        self, stage: str, loss_of: BatchLoss, rows: int, parameters: Iterable[nn.Parameter], epochs: int
     ) -> None:
         """Descend a loss of batches of so many rows by Adam, as the configuration says."""
         run_epochs(
@@ -215,35 +194,29 @@ class Fit:
 
 
 def fit_direct(
-    model: DirectModel,
-    samples: Samples,
-    config: TrainingConfig,
-    generator: torch.Generator,
-    progress: FitProgress,
-) -> None:
+    samples: Samples, dimensions: Dimensions, config: TrainingConfig, seed: int, progress: FitProgress
+) -> DirectModel:
     """Fit a network without a bottleneck to what happened, by squared error."""
-    outcomes = samples.outcomes(peaks=model.config.peaks)
-
-    def loss_of(rows: Tensor) -> Tensor:
-        actions, targets = reflected(samples.actions[rows], outcomes[rows], samples.mirrors, generator)
-        targets = (targets - model.effect_mean) / model.effect_std
-        return nn.functional.mse_loss(model(samples.features[rows], actions), targets)
-
-    model.train()
-    run_epochs(
-        loss_of,
-        len(samples),
-        torch.optim.AdamW(
-            model.parameters(), lr=config.teacher.rate, weight_decay=config.teacher.weight_decay, fused=True
-        ),
-        generator,
-        epochs=config.teacher.epochs,
-        batch=config.teacher.batch,
-        clip_norm=config.clip_norm,
-        decay=True,
-        after_epoch=lambda done: progress("teacher", done / config.teacher.epochs),
-    )
-    model.eval()
+    teacher = config.teacher
+    if teacher.network.peaks:
+        samples = replace(samples, effects=torch.cat([samples.effects, samples.peaks[:, None]], dim=1))
+    with reproducible(seed) as generator:
+        model = DirectModel(dimensions, teacher.network).train()
+        model.set_scale(samples.effects, samples.mirrored_axes)
+        run_epochs(
+            lambda rows: squared_error(model, *samples.batch(rows, generator)),
+            len(samples),
+            torch.optim.AdamW(
+                model.parameters(), lr=teacher.rate, weight_decay=teacher.weight_decay, fused=True
+            ),
+            generator,
+            epochs=teacher.epochs,
+            batch=teacher.batch,
+            clip_norm=config.clip_norm,
+            decay=True,
+            after_epoch=lambda done: progress("teacher", done / teacher.epochs),
+        )
+    return model.eval()
 
 
 def _fit_jointly(fit: Fit) -> None:
@@ -256,7 +229,7 @@ def _fit_jointly(fit: Fit) -> None:
         return total_loss(model, *batch, coefficient=config.loss_coefficient, temperature=temperature)
 
     model.train()
-    fit.descend("fitting", loss_of, len(fit.samples), list(model.parameters()), config.epochs)
+    fit.descend("fitting", loss_of, len(fit.samples), model.parameters(), config.epochs)
     model.eval()
 
 
@@ -273,10 +246,7 @@ def _fit_as_taught(fit: Fit) -> None:
     targets = find_code_targets(fit.teacher, bits, fit.samples, fit.config, fit.generator)
     _fit_names(fit, targets)
     _fit_encoders(fit, nn.Parameter(targets.effects))
-    if fit.config.decoder.learns_from == "imagined":
-        _fit_decoder(fit)
-    else:
-        _refit_decoder(fit)
+    (_fit_decoder if fit.config.decoder.learns_from == "imagined" else _refit_decoder)(fit)
 
 
 def _refit_decoder(fit: Fit) -> None:
@@ -297,17 +267,19 @@ def _fit_names(fit: Fit, targets: CodeTargets) -> None:
 
     From some starts an encoder never comes to use one of the codes.
     """
-    model = fit.model
+    model, config = fit.model, fit.config
     parts = (
         ("actions", model.action_encoder, model.embed_actions, targets.actions, targets.action_costs),
         ("objects", model.object_encoder, model.embed_objects, targets.features, targets.object_costs),
     )
     for stage, encoder, embed, inputs, costs in parts:
+        loss = partial(_naming_loss, fit, embed, inputs, costs, costs.argmin(1, keepdim=True))
+        report = partial(fit.progress, f"naming {stage}")
         found: list[tuple[float, dict[str, Tensor]]] = []
-        for start in range(fit.config.naming.starts):
+        for start in range(config.naming.starts):
             if start:
                 encoder.apply(_begin_anew)
-            _fit_naming(fit, stage, encoder, embed, inputs, costs)
+            _take_steps(loss, encoder.train(), (), config.naming.steps, config.coding.rate, report)
             with torch.inference_mode():
                 named = code_probabilities(embed(inputs)).argmax(1, keepdim=True)
                 cost = float(costs.gather(1, named).mean())
@@ -315,30 +287,21 @@ def _fit_names(fit: Fit, targets: CodeTargets) -> None:
         encoder.load_state_dict(min(found, key=lambda fit: fit[0])[1])
 
 
-def _fit_naming(
+def _naming_loss(
     fit: Fit,
-    stage: str,
-    encoder: nn.Module,
     embed: Callable[[Tensor], Tensor],
     inputs: Tensor,
     costs: Float[Tensor, "N L"],
-) -> None:
-    """Descend the expected cost, and a little of the surprise at the cheapest code.
+    cheapest: Int[Tensor, "N 1"],
+) -> Tensor:
+    """Compute the expected cost of names, and a little of the surprise at the cheapest code.
 
     Without the latter, an encoder that gives everything one code could never leave it: tanh is flat there.
     """
-    cheapest, config = costs.argmin(1, keepdim=True), fit.config
-
-    def loss() -> Tensor:
-        rows = torch.randint(len(inputs), (config.naming.batch,), generator=fit.generator)
-        likely = code_probabilities(embed(inputs[rows]))
-        right = likely.gather(1, cheapest[rows]).clamp(min=1e-6)
-        return (likely * costs[rows]).sum(1).mean() - _LIKELIHOOD_WEIGHT * right.log().mean()
-
-    encoder.train()
-    report = partial(fit.progress, f"naming {stage}")
-    _take_steps(loss, list(encoder.parameters()), config.naming.steps, config.coding.rate, report)
-    encoder.eval()
+    rows = torch.randint(len(inputs), (fit.config.naming.batch,), generator=fit.generator)
+    likely = code_probabilities(embed(inputs[rows]))
+    right = likely.gather(1, cheapest[rows]).clamp(min=1e-6)
+    return (likely * costs[rows]).sum(1).mean() - _LIKELIHOOD_WEIGHT * right.log().mean()
 
 
 def _begin_anew(layer: nn.Module) -> None:
@@ -352,13 +315,12 @@ def _fit_encoders(fit: Fit, effects: nn.Parameter) -> None:
     Each step imagines every one of some actions on every one of some objects. The effect (La, Lo, E) that
     each pair of codes stands for is learned, too.
     """
-    model, coding = fit.model, fit.config.coding
+    model, samples, coding = fit.model, fit.samples, fit.config.coding
     rows, columns = coding.actions, coding.objects
-    encoders = nn.ModuleList([model.object_encoder, model.action_encoder]).train()
 
     def loss() -> Tensor:
-        _, actions = fit.imagine(rows)
-        features, _ = fit.imagine(columns)
+        _, actions = samples.imagine(rows, fit.generator)
+        features, _ = samples.imagine(columns, fit.generator)
         with torch.no_grad():
             pairs = features.repeat(rows, 1), actions.repeat_interleave(columns, 0)
             targets = fit.teacher.standard_effects(*pairs)
@@ -366,20 +328,20 @@ def _fit_encoders(fit: Fit, effects: nn.Parameter) -> None:
         by_object = code_probabilities(model.embed_objects(features))
         return expected_error(by_action, by_object, effects, targets.view(rows, columns, -1))
 
-    report = partial(fit.progress, "codes")
-    _take_steps(loss, [*encoders.parameters(), effects], coding.steps, coding.rate / 2, report)
-    encoders.eval()
+    encoders = nn.ModuleList([model.object_encoder, model.action_encoder]).train()
+    _take_steps(loss, encoders, (effects,), coding.steps, coding.rate / 2, partial(fit.progress, "codes"))
 
 
 def _take_steps(
     loss: Callable[[], Tensor],
-    parameters: list[nn.Parameter],
+    learner: nn.Module,
+    besides: Sequence[nn.Parameter],
     steps: int,
     rate: float,
     report: Callable[[float], None],
 ) -> None:
     """Descend a loss that draws its own batches, the step size rising to `rate` and falling to 0."""
-    optimiser = torch.optim.Adam(parameters, lr=rate, fused=True)
+    optimiser = torch.optim.Adam([*learner.parameters(), *besides], lr=rate, fused=True)
     schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, rate, total_steps=steps)
     for step in range(steps):
         optimiser.zero_grad()
@@ -387,6 +349,7 @@ def _take_steps(
         optimiser.step()
         schedule.step()
         report((step + 1) / steps)
+    learner.eval()
 
 
 def expected_error(
@@ -395,14 +358,7 @@ def expected_error(
     effects: Float[Tensor, "La Lo E"],
     targets: Float[Tensor, "R C E"],
 ) -> Float[Tensor, ""]:
-    """Compute the squared error expected if codes are drawn, mean over actions and objects, sum over axes.
-
-    Args:
-        by_action: Probability of each code of each action.
-        by_object: Probability of each code of each object.
-        effects: The effect that each pair of codes stands for.
-        targets: What happens.
-    """
+    """Compute the squared error expected if codes are drawn, mean over actions and objects, sum over axes."""
     means = torch.einsum("ri,ije->rje", by_action, effects)  # (R, Lo, E)
     squares = by_action @ (effects**2).sum(2) @ by_object.T  # (R, C)
     products = torch.einsum("rce,cj,rje->rc", targets, by_object, means)
@@ -425,8 +381,8 @@ def _fit_decoder(fit: Fit) -> None:
     model, teacher, samples, decoder = fit.model, fit.teacher, fit.samples, fit.config.decoder
     model.eval()
     with torch.no_grad():
-        features, _ = fit.imagine(decoder.imagined)
-        _, actions = fit.imagine(decoder.imagined)
+        features, _ = samples.imagine(decoder.imagined, fit.generator)
+        _, actions = samples.imagine(decoder.imagined, fit.generator)
         objects, chosen = codes = fit.codes_of(features, actions)
         unexplained = samples.effects - teacher.effects(samples.features, samples.actions)
         known = fit.codes_of(samples.features, samples.actions)
@@ -442,13 +398,7 @@ def _fit_decoder(fit: Fit) -> None:
 def draw_alike(
     wanted: Float[Tensor, "N K"], there: Float[Tensor, "M K"], generator: torch.Generator
 ) -> Int[Tensor, "N"]:
-    """Draw for each code one of those that are there which differs from it in as few bits as possible.
-
-    Args:
-        wanted: Codes, of +-1.
-        there: Codes to draw from.
-        generator: Source of randomness, owned by the caller.
-    """
+    """Draw for each code one of those that are there which differs from it in as few bits as possible."""
     drawn = torch.empty(len(wanted), dtype=torch.long)
     for code in torch.unique(wanted, dim=0):
         agreement = there @ code

@@ -14,7 +14,7 @@ import numpy as np
 from neurosym.checks import Bool, Float
 from neurosym.data.interactions import Interactions
 from neurosym.learning.coclustering import gray_order, kmeans, nearest
-from neurosym.learning.losses import FitProgress, dimensions_of, reproducible, samples_of
+from neurosym.learning.losses import FitProgress, dimensions_of, samples_of
 from neurosym.learning.network import DirectModel, tensor
 from neurosym.learning.recipes import fit_direct
 from neurosym.learning.training_config import TrainingConfig
@@ -25,10 +25,9 @@ from neurosym.world import Mirror
 
 STARTS = 20
 """How often k-means starts; the best is kept."""
-TOUCHING_COUNTS = 0.5
-"""What touching or not counts beside the other numbers: what sits in a ring does so, touching it or not."""
-RARE = 0.01
-"""What fresh pairs are so rarely is what actions made of them."""
+# What touching or not counts beside the other numbers: what sits in a ring does so, touching it or not.
+_TOUCHING_COUNTS = 0.5
+_RARE = 0.01  # what fresh pairs are so rarely is what actions made of them
 _DIGITS = 4
 _OVER, _TOUCHING, _NEAR = 0.75, 0.5, 1.5  # how names tell states apart
 
@@ -52,23 +51,23 @@ def learn_states(
     """
     points = np.concatenate([fresh[rng.permutation(len(fresh))[: len(ends)]], ends, turned])
     scales = np.maximum(points.std(0), 1e-3)
-    scales[DESCRIPTION.index("touching")] /= TOUCHING_COUNTS
+    scales[DESCRIPTION.index("touching")] /= _TOUCHING_COUNTS
     kinds, scaled = 2**bits, points / scales
     labels = min((kmeans(scaled, kinds, rng) for _ in range(STARTS)), key=lambda one: _error(scaled, one))
     centres = np.array([scaled[labels == kind].mean(0) for kind in range(kinds) if np.any(labels == kind)])
     padded = np.concatenate([centres, np.repeat(centres[-1:], kinds - len(centres), axis=0)])
-    codes = all_symbols(bits)
-    symbols = [codes[code] for code in gray_order(padded, rng)[: len(centres)]]
-    shares = [_shares(rows / scales, centres) for rows in (fresh, ends, turned)]
+    codes = np.array(all_symbols(bits))[gray_order(padded, rng)[: len(centres)]].tolist()
+    labelled = (nearest(rows / scales, centres)[0] for rows in (fresh, ends, turned))
+    shares = [np.bincount(found, minlength=len(centres)) / max(1, len(found)) for found in labelled]
     states = [
         PairState(
             symbol=symbol,
             name=f"{name_state(centre * scales)}-{symbol}",
             centre=tuple(round(float(value), _DIGITS) for value in centre * scales),
-            share=float(shares[0][row]),
-            bears=bool(shares[0][row] < RARE and 2 * shares[1][row] > shares[2][row]),
+            share=float(untouched),
+            bears=bool(untouched < _RARE and 2 * lifted > other_way),
         )
-        for row, (symbol, centre) in enumerate(zip(symbols, centres, strict=True))
+        for symbol, centre, untouched, lifted, other_way in zip(codes, centres, *shares, strict=True)
     ]
     found = tuple(sorted(states, key=lambda one: one.symbol))
     return PairStates(found, tuple(round(float(scale), _DIGITS) for scale in scales))
@@ -91,29 +90,18 @@ def described_ends(interactions: Interactions) -> Float[np.ndarray, "N D"]:
     """Describe how each pair stands in the end, where the target was carried.
 
     References are taken to stand straight: they mostly do, and data do not tell.
-
-    Args:
-        interactions: The data, each aimed at another object.
     """
     x, y, up, touching, tilted, _ = np.asarray(interactions.effects, dtype=np.float64).T
     return np.column_stack([np.maximum(np.abs(x), np.abs(y)), up, touching, tilted, np.zeros_like(x)])
 
 
 def carried(interactions: Interactions) -> Bool[np.ndarray, "N"]:
-    """Say of each interaction whether the target was carried to the reference.
-
-    Args:
-        interactions: The data, each aimed at another object.
-    """
+    """Say of each interaction whether the target was carried to the reference."""
     return np.asarray(interactions.effects[:, -1] > 0)
 
 
 def name_state(centre: Sequence[float] | Float[np.ndarray, "5"]) -> str:
-    """Say in a word or two how a target mostly stands to a reference in a state.
-
-    Args:
-        centre: The description that is typical.
-    """
+    """Say in a word or two how a target mostly stands to a reference in a state."""
     away, up, touching, tilted, reference_tilted = (float(value) for value in centre)
     if tilted > LEANING:
         return "leans-on"
@@ -127,17 +115,8 @@ def name_state(centre: Sequence[float] | Float[np.ndarray, "5"]) -> str:
 
 
 def _error(points: Float[np.ndarray, "N D"], labels: np.ndarray) -> float:
-    return float(
-        sum(
-            ((rows - rows.mean(0)) ** 2).sum() for rows in (points[labels == k] for k in set(labels.tolist()))
-        )
-    )
-
-
-def _shares(points: Float[np.ndarray, "N D"], centres: Float[np.ndarray, "L D"]) -> Float[np.ndarray, "L"]:
-    labels, _ = nearest(points, centres)
-    counts: np.ndarray = np.bincount(labels, minlength=len(centres)) / max(1, len(points))
-    return counts
+    members = (points[labels == kind] for kind in set(labels.tolist()))
+    return float(sum(((rows - rows.mean(0)) ** 2).sum() for rows in members))
 
 
 # The chances that an action brings a pair into states in which its reference bears its target.
@@ -173,12 +152,9 @@ def fit_chances(
     unsigned = tuple(Mirror(mirror.actions, ()) for mirror in samples.mirrors)
     samples = replace(samples, effects=reached, mirrors=unsigned)
     dimensions = replace(dimensions_of(interactions), effects=reached.shape[1])
+    teacher = replace(config.teacher, network=replace(config.teacher.network, peaks=False))
     begin = int(np.random.default_rng([seed, _STREAM]).integers(2**62))
-    with reproducible(begin) as generator:
-        model = DirectModel(dimensions, replace(config.teacher.network, peaks=False))
-        model.set_scale(reached, ())
-        fit_direct(model, samples, config, generator, progress)
-    return model
+    return fit_direct(samples, dimensions, replace(config, teacher=teacher), begin, progress)
 
 
 def foreseen_by(model: DirectModel) -> ChancesOfStates:
@@ -191,12 +167,7 @@ def foreseen_by(model: DirectModel) -> ChancesOfStates:
 
 
 def ended_in(interactions: Interactions, states: PairStates) -> Float[np.ndarray, "N S"]:
-    """Say of each interaction which of the states that bear it ended in: 1 for that one, else 0.
-
-    Args:
-        interactions: The data, each aimed at another object.
-        states: The states of pairs.
-    """
+    """Say of each interaction which of the states that bear it ended in: 1 for that one, else 0."""
     order = states.bearing
     reached = np.zeros((len(interactions), len(order)))
     ends = described_ends(interactions).tolist()

@@ -1,7 +1,6 @@
 """The final fit: from a data set of interactions to an effect model whose bits can be relied on.
 
-Each restart starts from other weights; the one that predicts held-out effects best *through its binary codes*
-is kept. The report sets the model's error beside what predictors that look at nothing achieve.
+The report sets the model's error beside what predictors that look at nothing achieve.
 """
 
 from collections.abc import Callable
@@ -12,9 +11,9 @@ import numpy as np
 
 from neurosym.checks import Float, check_kind, check_seed
 from neurosym.data.interactions import Interactions
-from neurosym.data.origin import Dimensions, strategy_of, too_few
+from neurosym.data.origin import strategy_of, too_few
 from neurosym.errors import InvalidValue, listed_briefly
-from neurosym.learning.losses import FitProgress, Samples, dimensions_of, reproducible, samples_of
+from neurosym.learning.losses import FitProgress, dimensions_of, reproducible, samples_of
 from neurosym.learning.network import DirectModel, EffectModel
 from neurosym.learning.recipes import RECIPES, Fit, fit_direct
 from neurosym.learning.training_config import DEFAULT_BITS, ModelConfig, TrainingConfig
@@ -38,7 +37,7 @@ class TrainingReport(msgspec.Struct, frozen=True, omit_defaults=True):
         r2: R2 without cutting the embeddings to bits.
         r2_by_axis: The same on each axis.
         r2_direct_by_axis: R2 of the network without a bottleneck on each axis.
-        restarts: R2 through the codes of each fit that was made.
+        restarts: R2 through the codes of each fit that was made; of the one that is made today.
         empty_object_codes: Codes that no object of the data has, neither of those learned from nor held out.
         empty_action_codes: The same of actions.
     """
@@ -73,12 +72,9 @@ def empty_codes(report: TrainingReport) -> str:
 def error_table(report: TrainingReport) -> tuple[list[str], list[list[str]]]:
     """Return headings and rows of the errors of each predictor, in mm if the axes are x, y and z."""
     names = name_axes(max(map(len, report.mae.values()), default=3))
-    is_in_space = len(names) == 3
-    rows = [
-        [name, *(f"{1000 * error:.1f}" if is_in_space else f"{error:.3g}" for error in errors)]
-        for name, errors in report.mae.items()
-    ]
-    return ["predictor", *(f"{axis} [mm]" if is_in_space else axis for axis in names)], rows
+    scale, form, unit = (1000, ".1f", " [mm]") if len(names) == 3 else (1, ".3g", "")
+    rows = [[name, *(format(scale * error, form) for error in errors)] for name, errors in report.mae.items()]
+    return ["predictor", *(f"{axis}{unit}" for axis in names)], rows
 
 
 # What predictors achieve that look at nothing: every table of errors shows them beside the model
@@ -104,8 +100,7 @@ def trivial_predictions(
     }
 
 
-_PARTS = {TrainingConfig: "training", ModelConfig: "model"}
-_DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart from those of restarts
+_DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,16 +146,12 @@ def train(
     """
     check_kind("interactions", interactions, Interactions, "Interactions, as explore returns them")
     check_seed(seed)
-    for name, value, kind in (
-        ("config", config, TrainingConfig),
-        ("model_config", model_config, ModelConfig),
-    ):
-        if value is not None:
-            check_kind(name, value, kind, f"a {kind.__name__}, like regime_named('quick').{_PARTS[kind]}")
-    config, progress = config or TrainingConfig(), progress or _silent
-    strategy = strategy_of(interactions.origin)
-    model_config = model_config or ModelConfig(*DEFAULT_BITS)
-    if strategy is not None:
+    config = TrainingConfig() if config is None else config
+    model_config = ModelConfig(*DEFAULT_BITS) if model_config is None else model_config
+    check_kind("config", config, TrainingConfig, "a TrainingConfig, like regime_named('quick').training")
+    check_kind("model_config", model_config, ModelConfig, "a ModelConfig, like regime_named('quick').model")
+    progress = progress or (lambda *_: None)
+    if strategy := strategy_of(interactions.origin):
         model_config = replace(model_config, head=strategy.head)
         interactions = interactions[strategy.learns_from(interactions.effects)]
     kept, held_out = split(interactions, config.validation_share, seed)
@@ -172,56 +163,19 @@ def train(
         "origin": interactions.origin,
     }
     if direct is None:
-        direct = _fit_direct(samples, dimensions_of(interactions), config, seed, progress)
+        direct = fit_direct(samples, dimensions_of(interactions), config, _seed(seed, _DIRECT), progress)
         direct.trained_by = trained_by
-    fits = [_fit(samples, direct, model_config, config, seed, n, progress) for n in range(config.restarts)]
-    reports = [assess(model, direct, kept, held_out) for model in fits]
-    best = int(np.argmax([report.r2_through_codes for report in reports]))
-    model = fits[best]
-    restarts = tuple(figures.r2_through_codes for figures in reports)
-    report = msgspec.structs.replace(reports[best], restarts=restarts)
-    model.trained_by = trained_by
-    return Trained(model, direct, report)
-
-
-def _fit_direct(
-    samples: Samples, dimensions: Dimensions, config: TrainingConfig, seed: int, progress: FitProgress
-) -> DirectModel:
-    with reproducible(_seed(seed, _DIRECT)) as generator:
-        direct = DirectModel(dimensions, config.teacher.network)
-        direct.set_scale(samples.outcomes(peaks=config.teacher.network.peaks), samples.mirrored_axes)
-        fit_direct(direct, samples, config, generator, progress)
-    return direct
-
-
-def _fit(
-    samples: Samples,
-    direct: DirectModel,
-    model_config: ModelConfig,
-    config: TrainingConfig,
-    seed: int,
-    restart: int,
-    progress: FitProgress,
-) -> EffectModel:
-    with reproducible(_seed(seed, restart)) as generator:
+    with reproducible(_seed(seed, 0)) as generator:
         model = EffectModel(direct.dimensions, model_config)
         if config.standardise:
             model.set_scale(samples.effects, samples.mirrored_axes)
         RECIPES[config.recipe](Fit(model, direct, samples, config, generator, progress))
-    return model
+    model.trained_by = trained_by
+    return Trained(model, direct, assess(model, direct, kept, held_out))
 
 
 def split(interactions: Interactions, share: float, seed: int) -> tuple[Interactions, Interactions]:
-    """Split a data set into the part to train on and the part held out.
-
-    Args:
-        interactions: The data.
-        share: Share that is held out.
-        seed: Decides which.
-
-    Raises:
-        InvalidValue: If there are too few.
-    """
+    """Split a data set into the part to train on and the part held out."""
     if problem := too_few(len(interactions)):
         raise InvalidValue(f"{problem}.")
     order = np.random.default_rng([seed, len(interactions)]).permutation(len(interactions))
@@ -234,46 +188,34 @@ def assess(
 ) -> TrainingReport:
     """Measure a model on interactions that it was not trained on.
 
-    Args:
-        model: The model.
-        direct: The network without a bottleneck.
-        kept: What it was trained on, from which the trivial predictors come.
-        held_out: What it is measured on.
+    Trivial predictors come from what it was trained on.
     """
     effects, bits = np.asarray(held_out.effects, dtype=np.float64), model.config
-    coded, _ = model.predict_from_codes(held_out.features, held_out.actions)
-    uncut, _ = model.predict(held_out.features, held_out.actions)
-    predictors = {
-        "model": coded,
-        **trivial_predictions(kept.effects, len(effects)),
-    }
-    r2_coded, r2 = r_squared(coded, effects), r_squared(uncut, effects)
-    r2_direct = r_squared(direct.predict(held_out.features, held_out.actions), effects)
-    mean_coded, mean_uncut, mean_direct = (mean_over_axes(r2s, effects) for r2s in (r2_coded, r2, r2_direct))
+    seen = held_out.features, held_out.actions
+    coded, uncut = model.predict_from_codes(*seen)[0], model.predict(*seen)[0]
+    by_axis = [r_squared(guess, effects) for guess in (coded, uncut, direct.predict(*seen))]
+    means = [mean_over_axes(r2, effects) for r2 in by_axis]
+    predictors = {"model": coded, **trivial_predictions(kept.effects, len(effects))}
     return TrainingReport(
         held_out=len(held_out),
-        r2_through_codes=mean_coded,
-        r2_through_codes_by_axis=tuple(r2_coded.tolist()),
-        r2=mean_uncut,
-        r2_by_axis=tuple(r2.tolist()),
-        r2_direct=mean_direct,
-        r2_direct_by_axis=tuple(r2_direct.tolist()),
-        share=share_of(mean_coded, mean_direct),
+        r2_through_codes=means[0],
+        r2_through_codes_by_axis=tuple(by_axis[0].tolist()),
+        r2=means[1],
+        r2_by_axis=tuple(by_axis[1].tolist()),
+        r2_direct=means[2],
+        r2_direct_by_axis=tuple(by_axis[2].tolist()),
+        share=share_of(means[0], means[2]),
         mae={name: np.abs(guess - effects).mean(0).tolist() for name, guess in predictors.items()},
         object_symbols=_shares(model.object_symbols(held_out.features)),
         action_symbols=_shares(model.action_symbols(held_out.actions)),
+        restarts=(means[0],),
         empty_object_codes=_empty(bits.object_bits, model.object_symbols, kept.features, held_out.features),
         empty_action_codes=_empty(bits.action_bits, model.action_symbols, kept.actions, held_out.actions),
     )
 
 
 def share_of(through_codes: float, direct: float) -> float | None:
-    """Divide the R2 through the codes by that without a bottleneck; None if the latter explains nothing.
-
-    Args:
-        through_codes: R2 of the effect predicted through the binary codes.
-        direct: R2 of a network without a bottleneck on the same data.
-    """
+    """Divide the R2 through the codes by that without a bottleneck; None if the latter explains nothing."""
     return through_codes / direct if direct > 0 else None
 
 
@@ -297,8 +239,8 @@ def mean_over_axes(r2: Float[np.ndarray, "E"], observed: Float[np.ndarray, "N E"
     return float(r2[varies].mean()) if varies.any() else 0.0
 
 
-def _seed(seed: int, restart: int) -> int:
-    return int(np.random.default_rng([seed, restart]).integers(2**62))
+def _seed(seed: int, stream: int) -> int:
+    return int(np.random.default_rng([seed, stream]).integers(2**62))
 
 
 def _shares(symbols: tuple[str, ...]) -> dict[str, float]:
@@ -312,7 +254,3 @@ def _empty(
     """List the codes of so many bits that no row of the data has."""
     used = {symbol for rows in parts for symbol in encode(rows)}
     return tuple(symbol for symbol in all_symbols(bits) if symbol not in used)
-
-
-def _silent(stage: str, share: float) -> None:
-    """Report nothing."""

@@ -1,12 +1,9 @@
 """How the effect model is trained, apart from the training itself, so that reading it does not load torch."""
 
-from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any, Literal
 
 from neurosym.errors import InvalidValue, UnknownChoice
-
-# How the effect model is built, apart from the network itself, so that reading it does not load torch
 
 PAPER_BITS = (2, 3)
 """Bits of object and action symbols in the paper (section IV-B)."""
@@ -18,8 +15,22 @@ PAIR_BITS = (5, 3)
 """Bits of kinds of pairs, and of action symbols of actions that are aimed at other objects."""
 STATE_BITS = 3
 """Bits of the state that a pair of objects is in."""
-_MOST_BITS = {"object_bits": 6, "action_bits": 8}
-_MOST_HIDDEN = 4096
+_MOST = {"object_bits": 6, "action_bits": 8, "hidden": 4096}
+
+
+def check_positive(config: Any, *besides: str) -> None:
+    """Raise `InvalidValue` unless all whole numbers of a configuration are at least 1, and others positive.
+
+    Args:
+        config: The configuration.
+        besides: Names of numbers that may be anything.
+    """
+    for one in fields(config):
+        value, is_whole = getattr(config, one.name), one.type is int
+        if one.name in besides or one.type not in (int, float) or (value >= 1 if is_whole else value > 0):
+            continue
+        valid = "at least 1" if is_whole else "positive"
+        raise InvalidValue(f"{type(config).__name__}.{one.name} = {value} must be {valid}.")
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,36 +59,28 @@ class ModelConfig:
     head: Literal["gaussian", "mean"] = "gaussian"
 
     def __post_init__(self) -> None:
-        for name, most in _MOST_BITS.items():
+        for name, most in _MOST.items():
             if not 1 <= getattr(self, name) <= most:
                 raise InvalidValue(f"{name} = {getattr(self, name)} must be between 1 and {most}.")
-        if not 1 <= self.hidden <= _MOST_HIDDEN:
-            raise InvalidValue(f"hidden = {self.hidden} must be between 1 and {_MOST_HIDDEN}.")
         if not 0 <= self.dropout < 1:
             raise InvalidValue(f"dropout = {self.dropout} must be at least 0 and less than 1.")
         if self.head not in ("gaussian", "mean"):
             raise InvalidValue(f"head = {self.head!r} must be 'gaussian' or 'mean'.")
 
     def with_bits(self, object_bits: int | None = None, action_bits: int | None = None) -> "ModelConfig":
-        """Return the same network with symbols of other widths.
+        """Return the same network with symbols of other widths, or raise `InvalidValue`.
 
         Args:
             object_bits: Bits of an object symbol; as they are if not given.
             action_bits: The same of an action symbol.
-
-        Raises:
-            InvalidValue: If there can be no such symbols.
         """
-        return replace(
-            self,
-            object_bits=self.object_bits if object_bits is None else object_bits,
-            action_bits=self.action_bits if action_bits is None else action_bits,
-        )
+        given: dict[str, Any] = {"object_bits": object_bits, "action_bits": action_bits}
+        return replace(self, **{name: bits for name, bits in given.items() if bits is not None})
 
     def unusual_bits(self) -> dict[str, int]:
         """Return by name the bits that are not the paper's: records without them mean those."""
-        usual = dict(zip(_MOST_BITS, PAPER_BITS, strict=True))
-        return {name: getattr(self, name) for name, bits in usual.items() if getattr(self, name) != bits}
+        bits = {"object_bits": self.object_bits, "action_bits": self.action_bits}
+        return {name: bits[name] for name, usual in zip(bits, PAPER_BITS, strict=True) if bits[name] != usual}
 
 
 EXPLORING = ModelConfig(*PAPER_BITS, dropout=0.1, layer_norm=True)
@@ -120,7 +123,7 @@ class TeacherConfig:
     weight_decay: float = 1e-2
 
     def __post_init__(self) -> None:
-        check_numbers("teacher", self, counts=("epochs", "batch"), positive=("rate",))
+        check_positive(self, "weight_decay")
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,7 +151,7 @@ class NamingConfig:
     batch: int = 1024
 
     def __post_init__(self) -> None:
-        check_numbers("naming", self, counts=self.__slots__)
+        check_positive(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,7 +171,7 @@ class CodingConfig:
     rate: float = 2e-3
 
     def __post_init__(self) -> None:
-        check_numbers("coding", self, counts=("actions", "objects", "steps"), positive=("rate",))
+        check_positive(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,7 +192,7 @@ class DecoderConfig:
     epochs: int = 80
 
     def __post_init__(self) -> None:
-        check_numbers("decoder", self, counts=("imagined", "imagined_epochs", "epochs"))
+        check_positive(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,8 +212,7 @@ class TrainingConfig:
         decay: Whether the learning rate falls to zero along a half cosine.
         standardise: Whether effects are standardised inside the networks; else they stay in metres.
         mirrors: Whether interactions are also seen through the mirrors of the world.
-        validation_share: Share of the interactions held out, to choose among restarts and to report.
-        restarts: How many fits are made; the one that predicts best through its codes is kept.
+        validation_share: Share of the interactions held out, to report how well they are predicted.
         teacher: How the network without a bottleneck is fitted.
         naming: What the encoders of "taught" begin with.
         coding: How they are fitted end to end.
@@ -229,16 +231,14 @@ class TrainingConfig:
     standardise: bool = True
     mirrors: bool = True
     validation_share: float = 0.1
-    restarts: int = 1
     teacher: TeacherConfig = field(default_factory=TeacherConfig)
     naming: NamingConfig = field(default_factory=NamingConfig)
     coding: CodingConfig = field(default_factory=CodingConfig)
     decoder: DecoderConfig = field(default_factory=DecoderConfig)
 
     def __post_init__(self) -> None:
-        positive = ("learning_rate", "loss_coefficient", "temperature", "clip_norm")
-        check_numbers("", self, counts=("epochs", "batch", "restarts"), positive=positive)
-        if not 0 < self.validation_share < 1:
+        check_positive(self)
+        if self.validation_share >= 1:
             raise InvalidValue(f"validation_share = {self.validation_share} must lie between 0 and 1.")
         if self.recipe not in ("joint", "refit", "taught"):
             raise InvalidValue(f"recipe = {self.recipe!r} must be 'joint', 'refit' or 'taught'.")
@@ -247,10 +247,6 @@ class TrainingConfig:
         """Return the same with as many steps of the encoders again for each bit of actions beyond three.
 
         The table that is co-clustered gets rows and columns enough for as many kinds as there are codes.
-
-        Args:
-            action_bits: Bits of an action symbol.
-            object_bits: Bits of an object symbol.
         """
         times = 1 + max(0, action_bits - _STEPS_ARE_FOR)
         naming = replace(
@@ -263,55 +259,38 @@ class TrainingConfig:
 
     def as_stored(self) -> dict[str, Any]:
         """Return plain JSON values by the names that model files have had from the beginning."""
-        flat = asdict(self)
-        teacher, naming, coding, decoder = (
-            flat.pop(part) for part in ("teacher", "naming", "coding", "decoder")
-        )
-        return {
-            **flat,
-            "direct": teacher.pop("network"),
-            **{f"direct_{name}": value for name, value in teacher.items()},
-            **{_NAMING.get(name, name): value for name, value in naming.items()},
-            "imagined_actions": coding["actions"],
-            "imagined_objects": coding["objects"],
-            "code_steps": coding["steps"],
-            "code_rate": coding["rate"],
-            "decoder_learns_from": decoder["learns_from"],
-            "imagined": decoder["imagined"],
-            "imagined_epochs": decoder["imagined_epochs"],
-            "refit_epochs": decoder["epochs"],
-        }
+        flat = asdict(self) | {"restarts": 1}  # which could be chosen once
+        for part, names in _STORED.items():
+            flat |= {names.get(name, name): value for name, value in flat.pop(part).items()}
+        return flat
 
 
 _STEPS_ARE_FOR = 3  # bits of action symbols
 _OF_EACH_KIND = 3  # rows or columns of the table that is co-clustered
-_NAMING = {
-    "actions": "named_actions",
-    "objects": "named_objects",
-    "starts": "naming_starts",
-    "steps": "naming_steps",
-    "batch": "naming_batch",
+_STORED = {
+    "teacher": {
+        "network": "direct",
+        "epochs": "direct_epochs",
+        "batch": "direct_batch",
+        "rate": "direct_rate",
+        "weight_decay": "direct_weight_decay",
+    },
+    "naming": {
+        "actions": "named_actions",
+        "objects": "named_objects",
+        "starts": "naming_starts",
+        "steps": "naming_steps",
+        "batch": "naming_batch",
+    },
+    "coding": {
+        "actions": "imagined_actions",
+        "objects": "imagined_objects",
+        "steps": "code_steps",
+        "rate": "code_rate",
+    },
+    "decoder": {"learns_from": "decoder_learns_from", "epochs": "refit_epochs"},
 }
-
-
-def check_numbers(
-    part: str, config: object, counts: Iterable[str] = (), positive: Iterable[str] = ()
-) -> None:
-    """Raise `InvalidValue` unless some numbers of a configuration are at least 1, and others positive.
-
-    Args:
-        part: What messages call the configuration.
-        config: The configuration.
-        counts: Names of those that must be at least 1.
-        positive: Names of those that must be positive.
-    """
-    prefix = f"{part}." if part else ""
-    for name in counts:
-        if getattr(config, name) < 1:
-            raise InvalidValue(f"{prefix}{name} = {getattr(config, name)} must be at least 1.")
-    for name in positive:
-        if not getattr(config, name) > 0:
-            raise InvalidValue(f"{prefix}{name} = {getattr(config, name)} must be positive.")
+"""What parts and their options are called in model files, where it is not by their own names."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,11 +1,16 @@
-"""The compiler: from the table of operators to a grounding, whose names PDDL can take."""
+"""The compiler: from the table of operators to a grounding and to PDDL, and from plans to ground actions.
+
+A problem is printed before anybody plans. Goal regions leave out the edge of what the tolerance allows, since
+grids round, and only some places are drawn. So the exact replay may take a plan that ends a cell beside the
+region, or that uses a spot of the table that has no name yet. Such a plan says which facts it needs; the
+problem beside it is then printed with them, and any validator takes the two together.
+"""
 
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
-from itertools import chain
 
 import msgspec
 
@@ -17,20 +22,18 @@ from neurosym.operators import MIN_CHANCE, OperatorTable, counted_axes, name_ope
 from neurosym.pair_operators import PlaceOperators, RelationOperators
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
-from neurosym.pddl.numeric import numeric_domain, numeric_problem, read_numeric, write_numeric
+from neurosym.pddl.numeric import numeric_domain, numeric_problem, write_numeric
 from neurosym.pddl.strips import WORDS, page
 from neurosym.pddl.strips_plan import GroundPlan as GroundPlan
-from neurosym.pddl.strips_plan import led_by, led_in, read, write
+from neurosym.pddl.strips_plan import write
 from neurosym.pddl.strips_problem import STEPS, StripsProblem
-from neurosym.pddl.syntax import ENCODINGS, FORMER, NUMERIC, STRIPS, Atom, Domain, EncodingName, PddlProblem
+from neurosym.pddl.syntax import ENCODINGS, NUMERIC, STRIPS, EncodingName
 from neurosym.problems import LEGAL_NAME, SPOT, Problem, SceneObject
-from neurosym.tasks.task import Task, understand
+from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep
 from neurosym.world import Table
 
 MAX_CELLS = 5000
-RESERVED_PREFIXES = ("finish-", "put-down-", "reach-", "move-", "a-")
-"""What no operator's name begins with: steps and plans of earlier versions use it otherwise."""
 
 
 def compile_domain(
@@ -56,7 +59,7 @@ def compile_domain(
 
     Raises:
         InvalidValue: If effects are not along x, y and z, the cell is no sensible size, or a name is not
-            legal, taken, or reserved.
+            legal, or taken.
     """
     check_kind("table", table, OperatorTable, "an OperatorTable, as tabulate returns it")
     check_kind("name", name, str, "a PDDL name")
@@ -68,16 +71,17 @@ def compile_domain(
     if not (math.isfinite(cell) and widest / MAX_CELLS <= cell <= widest):
         raise InvalidValue(f"A cell of {cell} m will not do; valid: {widest / MAX_CELLS:g} to {widest:g} m.")
     expanded = with_every_outcome(table)
-    categories = [category.name for category in table.categories]
-    operators = [operator.name for operator in expanded.operators]
-    carriers = [operator.name for operator in places.operators.operators] if places else []
-    related = [one.name for one in relations.states] if relations else []
-    related += [one.name for one in relations.operators] if relations else []
-    _check_names([name, *WORDS, *categories, *operators, *carriers, *related])
-    if taken := [operator for operator in operators if operator.startswith(RESERVED_PREFIXES)]:
-        raise InvalidValue(
-            f"No operator can be called {taken[0]}; {', '.join(RESERVED_PREFIXES)} are reserved."
-        )
+    names = [name, *WORDS.split(), *(one.name for one in table.categories)]
+    names += [one.name for one in (*expanded.operators, *(places.operators.operators if places else ()))]
+    if relations:
+        names += [one.name for one in relations.states] + [one.name for one in relations.operators]
+    for one, count in Counter(names).items():
+        if not LEGAL_NAME.fullmatch(one):
+            raise InvalidValue(
+                f"{one!r} is not a legal PDDL name; valid: a lower-case letter, then a-z, 0-9 and hyphens."
+            )
+        if count > 1:
+            raise InvalidValue(f"Two parts of the domain are called {one}; each needs a name of its own.")
     return Grounding(
         format=FORMAT_WITH_RELATIONS if relations else FORMAT_WITH_PLACES if places else FORMAT,
         name=name,
@@ -136,69 +140,6 @@ def check_axes(table: OperatorTable) -> None:
         )
 
 
-def _check_names(names: Iterable[str]) -> None:
-    seen: set[str] = set()
-    for name in names:
-        if not LEGAL_NAME.fullmatch(name):
-            raise InvalidValue(
-                f"{name!r} is not a legal PDDL name; valid: a lower-case letter, then a-z, 0-9 and hyphens."
-            )
-        if name in seen:
-            raise InvalidValue(f"Two parts of the domain are called {name}; each needs a name of its own.")
-        seen.add(name)
-
-
-# The encodings: how a domain, its problems and plans are written, and how plans are read back.
-#
-# A problem is printed before anybody plans. Goal regions leave out the edge of what the tolerance allows,
-# since grids round, and only some places are drawn. So the exact replay may take a plan that ends a cell
-# beside the region, or that uses a spot of the table that has no name yet. Such a plan says which facts it
-# needs; the problem beside it is then printed with them, and any validator takes the two together.
-
-Plan = tuple[PlanStep, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Encoding:
-    """How domains, problems and plans are written.
-
-    Attributes:
-        name: What it is called.
-        domain: Writes a learned domain.
-        problem: Writes a task, such that some plans are plans of it; takes off its goal regions what the
-            rounding of so many steps may take.
-        write: Writes a plan of a task as ground actions.
-        read: Reads ground actions as a plan.
-    """
-
-    name: EncodingName
-    domain: Callable[[Grounding], Domain]
-    problem: Callable[[Task, Sequence[GroundPlan], int], PddlProblem]
-    write: Callable[[Plan, Task], GroundPlan]
-    read: Callable[[Sequence[Atom], Task], Plan]
-
-
-def encoding_named(name: str) -> Encoding:
-    """Return an encoding that is printed, or refuse one that earlier versions had, or that there is not."""
-    check_former(name)
-    if name not in _VALUES:
-        raise UnknownChoice("encoding", name, ENCODINGS)
-    return _VALUES[name]
-
-
-def check_former(encoding: str) -> None:
-    """Raise `InvalidValue` if earlier versions had an encoding, and it is gone.
-
-    Args:
-        encoding: Its name.
-    """
-    if encoding in FORMER:
-        raise InvalidValue(
-            f"The encoding {encoding} is gone: one page, {STRIPS!r}, says what it said; valid: "
-            f"{', '.join(ENCODINGS)}."
-        )
-
-
 def domain_text(grounding: Grounding, encoding: EncodingName = STRIPS, *, costs: bool = True) -> str:
     """Print the domain; equal groundings give equal bytes.
 
@@ -210,7 +151,13 @@ def domain_text(grounding: Grounding, encoding: EncodingName = STRIPS, *, costs:
     Raises:
         UnknownChoice: If there is no such encoding.
     """
-    return encoding_named(encoding).domain(grounding).text(costs=costs)
+    return (numeric_domain if _is_numeric(encoding) else page)(grounding).text(costs=costs)
+
+
+def _is_numeric(encoding: str) -> bool:
+    if encoding not in ENCODINGS:
+        raise UnknownChoice("encoding", encoding, ENCODINGS)
+    return encoding == NUMERIC
 
 
 def ground_plan(
@@ -227,48 +174,11 @@ def ground_plan(
     Raises:
         InvalidValue: If an operator is not in the domain, or not for its object, or leads off the grid.
     """
-    return _VALUES.get(encoding, PAGE).write(tuple(steps), understand(problem, grounding))
-
-
-def _page_problem(task: Task, plans: Sequence[GroundPlan], steps: int) -> PddlProblem:
-    led = {name for plan in plans for name in plan.led}
-    printed = StripsProblem(
-        task,
-        led=[name for name in task.names if name in led or name in task.led],
-        kept=[move for plan in plans for move in plan.moves],
-        steps=steps,
-    )
-    facts = sorted(fact for plan in plans for fact in plan.facts)
-    return printed.data(facts, sorted({spot for plan in plans for spot in plan.spots}))
-
-
-def _page_plan(steps: Plan, task: Task) -> GroundPlan:
-    return write(steps, StripsProblem(task, led=led_by(steps, task)))
-
-
-def _read_page(actions: Sequence[Atom], task: Task) -> Plan:
-    return read(actions, StripsProblem(task, led=led_in(actions, task), every=True))
-
-
-def _numeric_problem(task: Task, plans: Sequence[GroundPlan], steps: int) -> PddlProblem:
-    del plans  # their regions leave out no more than what numbers round
-    return numeric_problem(task, steps=steps * NUMERIC_STEPS)
-
-
-def _numeric_plan(steps: Plan, task: Task) -> GroundPlan:
-    return GroundPlan(NUMERIC, tuple(write_numeric(steps, task)))
-
-
-PAGE = Encoding(STRIPS, page, _page_problem, _page_plan, _read_page)
-NUMBERS = Encoding(NUMERIC, numeric_domain, _numeric_problem, _numeric_plan, read_numeric)
-_VALUES: Mapping[str, Encoding] = {one.name: one for one in (PAGE, NUMBERS)}
-
-
-# Printing a problem as PDDL, and which names its objects may have
-
-_PARTICULAR = r"[xy]\d*|d[xy](-?\d+)?|cost\d+|way\d+|m-[01]+[a-z]*(-.*)?"
-"""What problems call cells, steps, prices, ways and motions."""
-_OF_PLACES = rf"(start|goal|park)-.*|n\d+|{SPOT.pattern}"
+    steps, task = tuple(steps), understand(problem, grounding)
+    if encoding == NUMERIC:
+        return GroundPlan(NUMERIC, tuple(write_numeric(steps, task)))
+    led = {*task.led, *(step.object for step in steps if not step.place)}
+    return write(steps, StripsProblem(task, led=[name for name in task.names if name in led]))
 
 
 def problem_text(
@@ -288,7 +198,7 @@ def problem_text(
         encoding: The encoding of the domain it is for.
         steps: How many steps the rounding of is taken off the goal regions; in numbers ten times as many.
         plans: Plans that the replay takes, and that stand beside the problem: it is printed such that they
-            are its plans.
+            are its plans. In numbers they need nothing, since regions leave out no more than is rounded.
         costs: Whether what steps cost is printed; some planners take no costs.
 
     Raises:
@@ -297,10 +207,28 @@ def problem_text(
         UnknownChoice: If an object is of a category that the domain does not have, or there is no such
             encoding.
     """
-    written = encoding_named(encoding)
+    is_numeric = _is_numeric(encoding)
     for item in problem.objects:
         check_object(item, grounding)
-    return written.problem(understand(problem, grounding), plans, steps).text(costs=costs)
+    task = understand(problem, grounding)
+    if is_numeric:
+        return numeric_problem(task, steps=steps * NUMERIC_STEPS).text(costs=costs)
+    led = {*task.led, *(name for plan in plans for name in plan.led)}
+    printed = StripsProblem(
+        task,
+        led=[name for name in task.names if name in led],
+        kept=[move for plan in plans for move in plan.moves],
+        steps=steps,
+    )
+    facts = sorted(fact for plan in plans for fact in plan.facts)
+    return printed.data(facts, sorted({spot for plan in plans for spot in plan.spots})).text(costs=costs)
+
+
+# Which names the objects of a problem may have
+
+_PARTICULAR = r"[xy]\d*|d[xy](-?\d+)?|cost\d+|way\d+|m-[01]+[a-z]*(-.*)?"
+"""What problems call cells, steps, prices, ways and motions."""
+_OF_PLACES = rf"(start|goal|park)-.*|n\d+|{SPOT.pattern}"
 
 
 def check_object(item: SceneObject, grounding: Grounding) -> None:
@@ -325,52 +253,53 @@ def _known_words(grounding: Grounding) -> frozenset[str]:
     return frozenset(["object", *names, *(action.name for action in domain.actions)])
 
 
-# Reading the text of a printed domain and problem, and what of the two a plan touches.
-#
-# Other people's validators read PDDL slowly: a grid with its thousands of facts takes them many seconds.
-# But whether a plan is valid depends on its own actions alone, and on facts whose words occur in these, in
-# its steps or in the goal. So a validator may be given only those, and what it says is true of the whole.
-# Where conditions speak of all objects (`exists`), every fact is kept.
+# What of a printed domain and problem a plan touches
 
-Tree = list["Tree | str"]
-"""A text in parentheses: words and trees."""
 Action = tuple[str, ...]
 """A ground action: its name, and its arguments."""
-_TOKEN = re.compile(r"[()]|[^\s()]+")
-_COMMENT = re.compile(r";[^\n]*")
-_QUANTIFIED = ("exists", "forall")
+_WORD = re.compile(r"[^\s()]+")
+_ACTION = re.compile(r"\(:action\s+(\S+)(?:\s*:parameters\s*\(([^()]*)\))?")
+_PROBLEM = re.compile(r"(.*\(:objects)([^()]*)\)(\s*\(:init)(.*)\)(\s*\(:goal.*)", re.DOTALL)
+_TYPED = re.compile(r"((?:\s+(?!-\s)[^\s()]+)+)\s+-\s+(\S+)")
+_FACT = re.compile(r"(?:\(=\s*)?\(([^()]*)\)(?:\s*[^\s()]+\s*\))?")
+"""A fact, or a value that is given to a function."""
 
 
-@dataclass(frozen=True, slots=True)
-class Excerpt:
-    """What of a domain and a problem a plan touches, as PDDL."""
-
-    domain: str
-    problem: str
-
-
-def excerpt_for(domain: str, problem: str, actions: Sequence[Action]) -> Excerpt:
+def excerpt_for(domain: str, problem: str, actions: Sequence[Action]) -> tuple[str, str]:
     """Leave out of a domain and a problem what cannot matter to a plan.
+
+    Other people's validators read PDDL slowly: a grid with its thousands of facts takes them many seconds.
+    But whether a plan is valid depends on its own actions alone, and on facts whose words occur in these, in
+    the domain or in the goal. Where conditions speak of all objects, every fact is kept.
 
     Args:
         domain: The text of the domain.
         problem: The text of the problem.
         actions: The plan.
 
+    Returns:
+        What is left of the two.
+
     Raises:
         InvalidValue: If a text is no PDDL.
     """
-    parts, task = tree_of(domain), tree_of(problem)
-    names = {action[0] for action in actions}
-    first = next((str(part[1]) for part in parts if _head(part) == ":action"), "")
-    names = names or {first}  # readers trip over no action
-    kept = [part for part in parts if _head(part) != ":action" or part[1] in names]
-    words = {word for action in actions for word in action}
-    words |= {word for part in kept if _head(part) == ":action" for word in _words(part)}
-    words |= {word for part in task if _head(part) in (":goal", ":metric") for word in _words(part)}
-    if words.isdisjoint(_QUANTIFIED):
-        kept, task = ([_narrowed(part, words) for part in text] for text in (kept, task))
-    return Excerpt(_text(kept), _text(task))
+    start, *blocks = _bare(domain).strip().removesuffix(")").split("(:action")
+    used = {action[0] for action in actions}
+    kept = [block for block in blocks if used & {*block.split()[:1]}] or blocks[:1]  # readers trip over none
+    domain = "(:action".join([start, *kept]) + ")"
+    parts = _PROBLEM.fullmatch(_bare(problem).strip())
+    words = {word for action in actions for word in action} | {*_WORD.findall(domain)}
+    if parts is None or not words.isdisjoint(("exists", "forall")):
+        return domain, problem
+    head, objects, init, facts, goal = parts.groups()
+    words |= {*_WORD.findall(goal)}
+    typed = [
+        (" ".join(name for name in names.split() if name in words), kind)
+        for names, kind in _TYPED.findall(objects)
+    ]
+    declared = " ".join(f"{names} - {kind}" for names, kind in typed if names)
+    told = " ".join(fact[0] for fact in _FACT.finditer(facts) if words.issuperset(fact[1].split()))
+    return domain, f"{head} {declared}){init} {told}){goal}"
 
 
 def parameters_of(domain: str) -> Mapping[str, int]:
@@ -382,70 +311,12 @@ def parameters_of(domain: str) -> Mapping[str, int]:
     Raises:
         InvalidValue: If it is no PDDL.
     """
-    found = dict[str, int]()
-    for part in tree_of(domain):
-        if _head(part) == ":action":
-            fields = list(part[2:])
-            declared = fields[fields.index(":parameters") + 1] if ":parameters" in fields else ()
-            found[str(part[1])] = sum(str(word).startswith("?") for word in declared)
-    return found
+    return {name: parameters.count("?") for name, parameters in _ACTION.findall(_bare(domain))}
 
 
-def tree_of(text: str) -> Tree:
-    """Read a text in parentheses.
-
-    Args:
-        text: The text, whose comments are left out.
-
-    Raises:
-        InvalidValue: If parentheses do not fit.
-    """
-    open_trees: list[Tree] = [[]]
-    for token in _TOKEN.findall(_COMMENT.sub("", text).lower()):
-        if token == "(":
-            open_trees.append([])
-        elif token == ")" and len(open_trees) > 1:
-            closed = open_trees.pop()
-            open_trees[-1].append(closed)
-        else:
-            open_trees[-1].append(token)
-    if len(open_trees) != 1 or len(open_trees[0]) != 1 or isinstance(open_trees[0][0], str):
+def _bare(text: str) -> str:
+    """Return a text in lower case, without comments, or refuse one that is no PDDL."""
+    bare = re.sub(r";.*", "", text).lower()
+    if not 0 < bare.count("(") == bare.count(")"):
         raise InvalidValue("The text is no PDDL: its parentheses do not fit together.")
-    return open_trees[0][0]
-
-
-def _head(part: "Tree | str") -> "Tree | str":
-    return part[0] if part and not isinstance(part, str) else part
-
-
-def _words(part: "Tree | str") -> Iterable[str]:
-    return [part] if isinstance(part, str) else chain.from_iterable(map(_words, part))
-
-
-def _narrowed(part: "Tree | str", words: set[str]) -> "Tree | str":
-    """Keep what occurs of the facts and values at the start, and of what is declared."""
-    if _head(part) == ":init":  # of a value, what it is given to counts
-        subjects = [(fact, fact[1] if _head(fact) == "=" else fact) for fact in part[1:]]
-        return [":init", *(fact for fact, about in subjects if words.issuperset(_words(about)))]
-    if _head(part) in (":objects", ":constants", ":functions", ":predicates"):
-        return [_head(part), *_declared(list(part[1:]), words)]
-    return part
-
-
-def _declared(declared: Tree, words: set[str]) -> Tree:
-    """Keep what occurs of the names that are declared, each group of them with its type."""
-    rest = iter(declared)
-    kept: Tree = []
-    names: Tree = []
-    for one in rest:
-        if one == "-":
-            kind = next(rest, "object")
-            kept += [*names, "-", kind] if names else []
-            names = []
-        elif _head(one) in words:
-            names.append(one)
-    return [*kept, *names]
-
-
-def _text(part: "Tree | str") -> str:
-    return part if isinstance(part, str) else f"({' '.join(map(_text, part))})"
+    return bare

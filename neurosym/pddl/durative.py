@@ -12,7 +12,7 @@ again. The way over the table counts as its diagonal, so that no carry takes muc
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from neurosym.contract import (
     CLEARANCE,
@@ -60,15 +60,12 @@ _DOMAIN = """\
   (:durative-action carry
     :parameters (?o - thing ?from ?to ?over-1 ?over-2 ?over-3 - place)
     :duration (= ?duration {seconds:.3f})
-    :condition (and {needs})
-    :effect (and {effects})))
+    :condition (and (at start (hand-empty)) (at start (can-carry ?o)) (at start (stands ?o ?from)) \
+(at start (free ?to)) (at start (room ?o ?to ?over-1 ?over-2 ?over-3)) (at start (free ?over-1)) \
+(at start (free ?over-2)) (at start (free ?over-3)))
+    :effect (and (at start (not (hand-empty))) (at start (not (stands ?o ?from))) \
+(at start (not (free ?to))) (at end (stands ?o ?to)) (at end (free ?from)) (at end (hand-empty)))))
 """
-_NEEDS = (
-    *("(hand-empty)", "(can-carry ?o)", "(stands ?o ?from)", "(free ?to)"),
-    *("(room ?o ?to ?over-1 ?over-2 ?over-3)", "(free ?over-1)", "(free ?over-2)", "(free ?over-3)"),
-)
-_TAKEN = ("(not (hand-empty))", "(not (stands ?o ?from))", "(not (free ?to))")
-_LEFT = ("(stands ?o ?to)", "(free ?from)", "(hand-empty)")
 
 
 def durative_domain_text(grounding: Grounding, seconds: Mapping[str, float] | None = None) -> str:
@@ -83,11 +80,11 @@ def durative_domain_text(grounding: Grounding, seconds: Mapping[str, float] | No
         UnknownChoice: If there are seconds for what carries nothing.
     """
     given, carriers = seconds or {}, _carriers(grounding)
-    names = [one.name for one in carriers]
-    if unknown := sorted(set(given) - set(names)):
-        raise UnknownChoice("operator", unknown[0], names)
+    if unknown := sorted(given.keys() - carriers.keys()):
+        raise UnknownChoice("operator", unknown[0], carriers)
     lasting = {
-        one.name: given[one.name] if one.name in given else carry_seconds(one, grounding) for one in carriers
+        name: given[name] if name in given else carry_seconds(one, grounding)
+        for name, one in carriers.items()
     }
     for name, value in lasting.items():
         if not LEAST_SECONDS <= value < math.inf:
@@ -97,14 +94,12 @@ def durative_domain_text(grounding: Grounding, seconds: Mapping[str, float] | No
         name=domain_name(grounding, DURATIVE),
         categories=" ".join(sorted(category.name for category in grounding.operators.categories)),
         seconds=max(lasting.values()),
-        needs=" ".join(f"(at start {fact})" for fact in _NEEDS),
-        effects=" ".join([f"(at start {fact})" for fact in _TAKEN] + [f"(at end {fact})" for fact in _LEFT]),
     )
 
 
-def _carriers(grounding: Grounding) -> tuple[Operator, ...]:
+def _carriers(grounding: Grounding) -> dict[str, Operator]:
     """Return what carries objects to places, or refuse a domain in which nothing does."""
-    if carriers := grounding.carriers:
+    if carriers := {one.name: one for one in grounding.carriers}:
         return carriers
     raise InvalidValue(f"Nothing in the domain {grounding.name} carries objects to places.")
 
@@ -156,18 +151,29 @@ def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
         InvalidValue: If an object with a goal cannot be carried to it, a goal is a relation, an object begins
             on another one, or an object's name is taken.
     """
-    task = understand(problem, grounding)
+    task, why = understand(problem, grounding), ""
     if task.relates:
-        raise InvalidValue(
-            f"{problem.name} has goals by relation, or begins with one object on another, so it has no "
-            "durative form."
-        )
+        why = f"{problem.name} has goals by relation, or begins with one object on another"
+    elif _carriers(grounding) and task.led:
+        why = f"{', '.join(task.led)} cannot be carried to where it shall be"
+    if why:
+        form = "it has" if task.relates else f"{problem.name} has"
+        raise InvalidValue(f"{why}, so {form} no durative form.")
     for item in problem.objects:
         check_object(item, grounding)
-    if _carriers(grounding) and task.led:
-        said = f"{', '.join(task.led)} cannot be carried to where it shall be"
-        raise InvalidValue(f"{said}, so {problem.name} has no durative form.")
     starts = [f"{START}{name}" for name in task.names]
+    facts = [
+        f"(stands {name} {START}{name})" + f" (can-carry {name})" * (name in task.carried)
+        for name in task.names
+    ]
+    for place, spot in task.places.items():
+        free = [f"(free {place})"]
+        for name in task.occupants[place]:
+            over = [f"{START}{other}" for other in task.blockers(name, spot)]
+            if len(over) <= MOST_OVER:
+                over += [NOWHERE] * (MOST_OVER - len(over))
+                free.append(f"(room {name} {place} {' '.join(over)})")
+        facts += [f"; {place} lies at ({spot[0]:.4f}, {spot[1]:.4f}) m", " ".join(free)]
     goals = " ".join(f"(stands {name} {_goal_place(name, task)})" for name in sorted(problem.goals))
     lines = [
         f"; Problem {problem.name} of the learned domain {grounding.name}, with a durative action.",
@@ -176,26 +182,10 @@ def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
         *(f"    {item.name} - {grounding.category(item.category).name}" for item in problem.objects),
         f"    {' '.join([*starts, *task.places, NOWHERE])} - place)",
         f"  (:init\n    (hand-empty) (free {NOWHERE})",
-        *(f"    {line}" for line in _facts(task)),
+        *(f"    {line}" for line in facts),
         f"  )\n  (:goal (and {goals})))",
     ]
     return "\n".join(lines) + "\n"
-
-
-def _facts(task: Task) -> Iterator[str]:
-    """List what holds at the start, a line for each object and each place."""
-    for name in task.names:
-        can = f" (can-carry {name})" if name in task.carried else ""
-        yield f"(stands {name} {START}{name}){can}"
-    for place, (x, y) in task.places.items():
-        yield f"; {place} lies at ({x:.4f}, {y:.4f}) m"
-        facts = [f"(free {place})"]
-        for name in task.occupants[place]:
-            starts = [f"{START}{other}" for other in task.blockers(name, (x, y))]
-            if len(starts) <= MOST_OVER:
-                filled = starts + [NOWHERE] * (MOST_OVER - len(starts))
-                facts.append(f"(room {name} {place} {' '.join(filled)})")
-        yield " ".join(facts)
 
 
 def _goal_place(name: str, task: Task) -> str:

@@ -23,24 +23,14 @@ AXES = ("x", "y", "z")
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """Cells along each axis.
+    """Cells along each axis."""
 
-    Attributes:
-        cell: Edge of a cell [m].
-        origin: Centre of cell 0 on x and y [m].
-        last: Index of the last cell on x, y and z.
-    """
-
-    cell: float
-    origin: tuple[float, float]
-    last: Cells
+    cell: float  # edge of a cell [m]
+    origin: tuple[float, float]  # centre of cell 0 on x and y [m]
+    last: Cells  # index of the last cell on x, y and z
 
     def anchor(self, position: Vector) -> Cells:
-        """Return the cell that an object at rest starts in.
-
-        Args:
-            position: Its centre [m], over the table.
-        """
+        """Return the cell that an object at rest starts in, whose centre [m] is over the table."""
         x, y = (
             min(math.floor((value - low) / self.cell + 0.5), last)
             for value, low, last in zip(position[:2], self.origin, self.last[:2], strict=True)
@@ -51,12 +41,11 @@ class Grid:
         """Name a cell of an axis, such that names sort like indices."""
         return f"{AXES[axis]}{index:0{len(str(max(self.last)))}d}"
 
-    def cell_names(self, axis: int) -> tuple[str, ...]:
+    def cell_names(self, axis: int) -> list[str]:
         """Name all cells of an axis."""
-        digits = len(str(max(self.last)))
-        return tuple([f"{AXES[axis]}{index:0{digits}d}" for index in range(self.last[axis] + 1)])
+        return [self.cell_name(axis, index) for index in range(self.last[axis] + 1)]
 
-    def shifts(self, axis: int, cells: int, margin: int) -> tuple[tuple[int, int], ...]:
+    def shifts(self, axis: int, cells: int, margin: int) -> list[tuple[int, int]]:
         """List the pairs of cells (from, to) that a displacement leads between.
 
         Args:
@@ -66,15 +55,15 @@ class Grid:
         """
         edge = margin if axis < 2 else 0
         ends = range(max(edge, cells), min(self.last[axis] - edge, self.last[axis] + cells) + 1)
-        return tuple((end - cells, end) for end in ends)
+        return [(end - cells, end) for end in ends]
 
 
 @dataclass(frozen=True, slots=True)
 class GoalRegion:
     """The cells that count as an object's goal: any of `xy` together with any of `z`."""
 
-    xy: tuple[tuple[int, int], ...]
-    z: tuple[int, ...]
+    xy: tuple[tuple[int, int], ...] = ()
+    z: tuple[int, ...] = ()
 
 
 @lru_cache(maxsize=8)
@@ -106,19 +95,26 @@ def goal_region(
         InvalidValue: If the object does not stand on the table.
     """
     check_on_table(item, grounding)
-    grid = grid_of(grounding)
-    anchor = grid.anchor(item.position)
-    error_x, error_y, error_z = rounding(item, grounding)
+    grid, (error_x, error_y, error_z) = grid_of(grounding), rounding(item, grounding)
     dx, dy, height = (end - start for end, start in zip(goal, item.position, strict=True))
     misses = {z: abs(z * grid.cell - height) + (error_z if z else 0.0) for z in levels(item, grounding)}
     chosen = best_levels(misses, tolerance)
     if not chosen:
-        return GoalRegion(xy=(), z=())
+        return GoalRegion()
     radius = math.sqrt(tolerance**2 - misses[chosen[-1]] ** 2)
-    disc = _disc((dx / grid.cell, dy / grid.cell), radius, (steps * error_x, steps * error_y), grid.cell)
-    xy = tuple((anchor[0] + x, anchor[1] + y) for x, y in disc)
-    inside = tuple((x, y) for x, y in xy if 0 <= x <= grid.last[0] and 0 <= y <= grid.last[1])
-    return GoalRegion(xy=inside, z=tuple(sorted(chosen)))
+    (start_x, start_y, _), reach = grid.anchor(item.position), math.ceil(radius / grid.cell)
+    middle = math.floor(dx / grid.cell + 0.5), math.floor(dy / grid.cell + 0.5)
+
+    def is_inside(x: int, y: int) -> bool:
+        """Say whether a cell, counted from the start, is near enough even if each axis errs."""
+        off_x = abs(x - dx / grid.cell) * grid.cell + steps * error_x
+        off_y = abs(y - dy / grid.cell) * grid.cell + steps * error_y
+        on_table = 0 <= start_x + x <= grid.last[0] and 0 <= start_y + y <= grid.last[1]
+        return on_table and (math.hypot(off_x, off_y) <= radius or (x, y) == middle)
+
+    rows, columns = (range(cell - reach, cell + reach + 1) for cell in middle)
+    xy = tuple((start_x + x, start_y + y) for x in rows for y in columns if is_inside(x, y))
+    return GoalRegion(xy=xy, z=tuple(sorted(chosen)))
 
 
 def check_on_table(item: SceneObject, grounding: Grounding, *, off: float = 0.0) -> None:
@@ -143,10 +139,6 @@ def rounding(item: SceneObject, grounding: Grounding) -> Vector:
 
     On x and y the errors of several steps add up. On z they do not: whatever rests is at its own height
     exactly, so only an object that ends held errs.
-
-    Args:
-        item: The object.
-        grounding: What steps promise.
     """
     steps = usable(grounding, item) if grounding.is_refined else grounding.live
     errors = [(0.0, 0.0, 0.0), *map(grounding.rounding, steps)]
@@ -159,22 +151,3 @@ def best_levels(misses: Mapping[int, float], tolerance: float) -> tuple[int, ...
     ordered = sorted((z for z in misses if misses[z] < tolerance), key=lambda z: (misses[z], z))
     choices = [tuple(ordered[:count]) for count in range(1, len(ordered) + 1)]
     return max(choices, key=lambda some: len(some) * (tolerance**2 - misses[some[-1]] ** 2), default=())
-
-
-def _disc(
-    centre: tuple[float, float], radius: float, errors: tuple[float, float], cell: float
-) -> list[tuple[int, int]]:
-    """Cells within a radius [m] of a centre even if each axis errs [m], but at least the nearest one."""
-    nearest = (math.floor(centre[0] + 0.5), math.floor(centre[1] + 0.5))
-    reach = math.ceil(radius / cell)
-    window = [
-        (nearest[0] + x, nearest[1] + y) for x in range(-reach, reach + 1) for y in range(-reach, reach + 1)
-    ]
-
-    def farthest(x: int, y: int) -> float:
-        return math.hypot(
-            abs(x - centre[0]) * cell + errors[0],
-            abs(y - centre[1]) * cell + errors[1],
-        )
-
-    return [spot for spot in window if farthest(*spot) <= radius or spot == nearest]

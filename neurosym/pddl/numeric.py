@@ -16,27 +16,17 @@ Every function of a motion has a value, for readers ask for it; so each object h
 
 import math
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from functools import lru_cache, reduce
 
 import msgspec
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, best_levels, levels
-from neurosym.pddl.strips import (
-    LIFT,
-    MOTION,
-    PUSH,
-    PUT_DOWN,
-    THING,
-    actions_in,
-    common_head,
-    predicates_in,
-    symbol_table,
-)
+from neurosym.pddl.strips import actions_in, common_head, predicates_in, symbol_table
 from neurosym.pddl.strips_plan import Misread
 from neurosym.pddl.strips_problem import motion_name
-from neurosym.pddl.syntax import NUMERIC, OBJECT, Atom, Domain, Facts, PddlProblem, domain_name
+from neurosym.pddl.syntax import NUMERIC, OBJECT, Atom, Domain, Facts, PddlProblem, Typed, domain_name
 from neurosym.problems import SceneObject
 from neurosym.tasks.options import Move
 from neurosym.tasks.task import Task
@@ -52,16 +42,16 @@ _WIDEST = math.pi / 8  # half the widest angle between neighbouring normals
 _EPSILON = 1e-6
 _LEAST_SHIFT = 10_000
 _ALONG = ("along-x", "along-y", "along-z")
+_OFFERS = {"push": "pushes", "lift": "lifts"}
 
 
 def numeric_domain(grounding: Grounding) -> Domain:
     """Return the page in numbers; cells do not matter, but for which operators are in the domain."""
-    shift, last = shift_of(grounding), _last(grounding)
+    shift, table = _shift_of(grounding), grounding.table
+    sizes = [high - low for low, high in (table.x, table.y)]
+    most = [math.floor(size / UNIT + _EPSILON) - _MARGIN + shift for size in sizes]
     ends = [f"(+ ({axis} ?o) ({along} ?m))" for axis, along in zip(AXES, _ALONG, strict=True)]
-    stays = [
-        f"(>= {end} {_MARGIN + shift}) (<= {end} {most + shift})"
-        for end, most in zip(ends, last, strict=False)
-    ]
+    stays = [f"(>= {end} {_MARGIN + shift}) (<= {end} {last})" for end, last in zip(ends, most, strict=False)]
     moved = [f"(assign ({axis} ?o) (- {end} {shift}))" for axis, end in zip(AXES, ends, strict=True)]
     moves = f"tests {' '.join(stays)}\n changes {' '.join(moved)}"
     categories = sorted(category.name for category in grounding.operators.categories)
@@ -74,7 +64,7 @@ def numeric_domain(grounding: Grounding) -> Domain:
             f"Steps end {_MARGIN} inside the edges of the table, since {STEPS} steps may err by that.",
             *symbol_table(grounding, with_others=False),
         ),
-        types=((THING, OBJECT), (MOTION, OBJECT), *((name, THING) for name in categories)),
+        types=(("thing", OBJECT), ("motion", OBJECT), *((name, "thing") for name in categories)),
         constants=(),
         predicates=predicates_in("""
             (hand-empty) ; the hand holds nothing
@@ -120,19 +110,16 @@ def numeric_problem(task: Task, *, steps: int = STEPS) -> PddlProblem:
         raise InvalidValue(
             f"The problem {problem.name} is one of relations, which the encoding numeric lacks."
         )
-    shift, units = shift_of(grounding), _in_units(grounding)
     facts, values, costs = [Facts("", (("hand-empty",),))], dict[Atom, int](), dict[Atom, int]()
-    motions = []
+    shift, motions = _shift_of(grounding), list[Typed]()
     for item in problem.objects:
-        atoms = list[Atom]()
-        where = (*_anchor(item, grounding), 0)
+        atoms, where = list[Atom](), (*_anchor(item, grounding), 0)
         values |= {(axis, item.name): value for axis, value in zip(AXES, where, strict=True)}
-        for move in _moves(task, units, item.name):
-            name = _motion(move, item.name)
-            motions.append((name, MOTION))
-            atoms.append(_role(move, item.name))
-            values |= {(along, name): by + shift for along, by in zip(_ALONG, move.cells, strict=True)}
-            costs[("cost", name)] = move.cost
+        for (verb, thing, motion, *up), move in _offered(task, item.name).items():
+            motions.append((motion, "motion"))
+            atoms.append(("lowers", motion, *up) if up else (_OFFERS[verb], thing, motion))
+            values |= {(along, motion): by + shift for along, by in zip(_ALONG, move.cells, strict=True)}
+            costs[("cost", motion)] = move.cost
         position = ", ".join(f"{value:.4f}" for value in item.position)
         facts.append(Facts(f"{item.name} lies at ({position}) m at first", tuple(atoms)))
     things = [(item.name, grounding.category(item.category).name) for item in problem.objects]
@@ -156,40 +143,52 @@ def numeric_problem(task: Task, *, steps: int = STEPS) -> PddlProblem:
 
 def write_numeric(steps: Sequence[PlanStep], task: Task) -> list[Atom]:
     """Write a plan as ground actions of the page in numbers, or refuse a step that is not offered."""
-    units, found = _in_units(task.grounding), list[Atom]()
+    found = list[Atom]()
     for step in steps:
-        moves = {move.name: move for move in _moves(task, units, step.object)}
-        if step.place or step.operator not in moves:
+        offered = {move.name: words for words, move in _offered(task, step.object).items()}
+        if step.place or step.operator not in offered:
             raise InvalidValue(f"{step.operator} is not in the domain in numbers for {step.object}.")
-        move = moves[step.operator]
-        verb = {"rest": PUSH, "lift": LIFT, "put-down": PUT_DOWN}[move.kind]
-        lift = [_lifted_by(move, step.object)] if move.kind == "put-down" else []
-        found.append((verb, step.object, _motion(move, step.object), *lift))
+        found.append(offered[step.operator])
     return found
 
 
 def read_numeric(actions: Sequence[Atom], task: Task) -> tuple[PlanStep, ...]:
     """Read ground actions of the page in numbers as steps; what they do is for the exact replay to judge."""
-    units, steps = _in_units(task.grounding), list[PlanStep]()
-    for number, (name, *arguments) in enumerate(actions):
-        thing = arguments[0] if arguments and arguments[0] in task.names else ""
-        moves = _moves(task, units, thing) if thing else ()
-        offered = {
-            words: move.name for move in moves for words in write_numeric([PlanStep(move.name, thing)], task)
-        }
-        if (name, *arguments) not in offered:
-            raise Misread(f"({' '.join((name, *arguments))}) is nothing that the problem offers", number)
-        steps.append(PlanStep(offered[name, *arguments], thing))
+    steps = list[PlanStep]()
+    for number, words in enumerate(actions):
+        thing = next((one for one in words[1:2] if one in task.names), "")
+        move = _offered(task, thing).get(words) if thing else None
+        if move is None:
+            raise Misread(f"({' '.join(words)}) is nothing that the problem offers", number)
+        steps.append(PlanStep(move.name, thing))
     return tuple(steps)
 
 
 def is_numeric(actions: Sequence[Atom]) -> bool:
     """Say whether ground actions are of the page in numbers, whose motions are each for one object."""
-    begun = next((words for words in actions if words[0] in (PUSH, LIFT)), ())
+    begun = next((words for words in actions if words[0] in ("push", "lift")), ())
     return len(begun) == 3 and begun[2].endswith(f"-{begun[1]}")
 
 
-def shift_of(grounding: Grounding) -> int:
+def _offered(task: Task, thing: str) -> dict[Atom, Move]:
+    """List what is done to an object, in units, by the ground action that does it.
+
+    A motion is named by its symbol, and by what it promises if that is not what it mostly does: it may have
+    two operators, one that lifts and one that pushes.
+    """
+    live, found = {operator.name for operator in task.grounding.live}, dict[Atom, Move]()
+    for move in task.moves_on(_in_units(task.grounding), thing):
+        if move.operator.name in live:
+            less = {"resting": "-push", "held": "-lift"}.get(move.operator.promised or "", "")
+            name = motion_name(move) + less
+            if move.kind == "put-down":
+                found["put-down", thing, f"{name}-down-{thing}", f"{name}-{thing}"] = move
+            else:
+                found["lift" if move.kind == "lift" else "push", thing, f"{name}-{thing}"] = move
+    return found
+
+
+def _shift_of(grounding: Grounding) -> int:
     """Return what is added to all displacements: a power of ten, and more than any that was seen."""
     farthest = 0.0
     for operator in grounding.live:
@@ -202,50 +201,9 @@ def shift_of(grounding: Grounding) -> int:
     return shift
 
 
-def _moves(task: Task, units: Grounding, name: str) -> tuple[Move, ...]:
-    """List what is done to an object, in units."""
-    live = {operator.name for operator in task.grounding.live}
-    return tuple(move for move in task.moves_on(units, name) if move.operator.name in live)
-
-
-def _motion(move: Move, thing: str) -> str:
-    """Name a motion of an object."""
-    down = "-down" if move.kind == "put-down" else ""
-    return f"{_promising(move)}{down}-{thing}"
-
-
-def _lifted_by(move: Move, thing: str) -> str:
-    """Name the lift that a motion puts down from."""
-    return f"{_promising(move)}-{thing}"
-
-
-def _promising(move: Move) -> str:
-    """Name a motion by its symbol, and by what it promises if that is not what it mostly does.
-
-    One motion may have two operators, one that lifts and one that pushes.
-    """
-    less = {"resting": "-push", "held": "-lift"}.get(move.operator.promised or "", "")
-    return motion_name(move) + less
-
-
-def _role(move: Move, thing: str) -> Atom:
-    """Say what a motion is."""
-    name = _motion(move, thing)
-    if move.kind == "put-down":
-        return "lowers", name, _lifted_by(move, thing)
-    return "lifts" if move.kind == "lift" else "pushes", thing, name
-
-
 @lru_cache(maxsize=8)
 def _in_units(grounding: Grounding) -> Grounding:
     return msgspec.structs.replace(grounding, cell=UNIT)
-
-
-def _last(grounding: Grounding) -> tuple[int, int]:
-    """Return the greatest x and y that a step may end at."""
-    (x_low, x_high), (y_low, y_high) = grounding.table.x, grounding.table.y
-    x, y = (math.floor(size / UNIT + _EPSILON) - _MARGIN for size in (x_high - x_low, y_high - y_low))
-    return x, y
 
 
 def _anchor(item: SceneObject, grounding: Grounding) -> tuple[int, int]:
@@ -256,59 +214,40 @@ def _anchor(item: SceneObject, grounding: Grounding) -> tuple[int, int]:
 
 
 def _goal(task: Task, name: str, steps: int) -> Iterator[str]:
-    problem, grounding = task.problem, task.grounding
-    item, goal = problem.object_named(name), problem.goals[name]
-    dx, dy, height = ((end - start) / UNIT for end, start in zip(goal, item.position, strict=True))
-    tolerance = problem.tolerance / UNIT
-    (low, high), off = _heights(item, height, tolerance, grounding)
-    radius = math.sqrt(max(tolerance**2 - off**2, 0.0)) - steps * math.sqrt(0.5)
-    start_x, start_y = _anchor(item, grounding)
-    yield from _polygon(name, (start_x + dx, start_y + dy), max(radius, 0.0))
-    yield f"(>= (z {name}) {low}) (<= (z {name}) {high})"
+    """List the conditions for an object to be at its goal.
 
-
-def _heights(
-    item: SceneObject, height: float, tolerance: float, grounding: Grounding
-) -> tuple[tuple[int, int], float]:
-    """Choose an interval of z, and say how far from the goal's height it can be, all in units.
-
-    The heights in it are those that the cells of a goal would be chosen for. If all are too far from the
-    goal, it is an interval that no object comes to.
+    The interval of z has the heights that the cells of a goal would be chosen for. If all are too far from
+    the goal, it is one that no object comes to.
     """
-    possible = levels(item, _in_units(grounding))
+    item, goal = task.problem.object_named(name), task.problem.goals[name]
+    dx, dy, height = ((end - start) / UNIT for end, start in zip(goal, item.position, strict=True))
+    tolerance, possible = task.problem.tolerance / UNIT, levels(item, _in_units(task.grounding))
     misses = {z: abs(z - height) + (0.5 if z else 0.0) for z in possible}
     chosen = best_levels(misses, tolerance)
-    if not chosen:
-        nowhere = max(possible) + 1
-        return (nowhere, nowhere), tolerance
-    return (min(chosen), max(chosen)), misses[chosen[-1]]
+    off = misses[chosen[-1]] if chosen else tolerance
+    radius = math.sqrt(max(tolerance**2 - off**2, 0.0)) - steps * math.sqrt(0.5)
+    start_x, start_y = _anchor(item, task.grounding)
+    yield from _polygon(name, (start_x + dx, start_y + dy), max(radius, 0.0))
+    chosen = chosen or (max(possible) + 1,)
+    yield f"(>= (z {name}) {min(chosen)}) (<= (z {name}) {max(chosen)})"
 
 
 def _polygon(name: str, centre: tuple[float, float], radius: float) -> Iterator[str]:
     """List the conditions for being in the polygon in a disc, all in units; opposite edges share a line."""
-    reach = radius * math.cos(_WIDEST)
-
-    def edge(normal: tuple[int, int]) -> str:
-        by_axis = list(zip(AXES, normal, strict=False))
+    edges = []
+    for normal in _NORMALS:
         along = math.fsum(part * value for part, value in zip(normal, centre, strict=True))
-        limit = math.floor(along + reach * math.hypot(*normal) + _EPSILON)
-        plus = tuple(f"({axis} {name})" for axis, part in by_axis if part > 0)
-        minus = tuple(f"({axis} {name})" for axis, part in by_axis if part < 0)
-        return _at_most(plus, limit, minus)
-
-    half = len(_NORMALS) // 2
-    for one, other in zip(_NORMALS[:half], _NORMALS[half:], strict=True):
-        yield f"{edge(one)} {edge(other)}"
-
-
-def _at_most(terms: tuple[str, ...], limit: int, others: tuple[str, ...] = ()) -> str:
-    """Print that the sum of some terms is at most a limit plus the sum of others, with no negative number."""
-    left = _sum((*terms, *([str(-limit)] if limit < 0 else [])))
-    right = _sum((*others, *([str(limit)] if limit > 0 else [])))
-    return f"(<= {left} {right})" if terms else f"(>= {right} {left})"
+        limit = math.floor(along + radius * math.cos(_WIDEST) * math.hypot(*normal) + _EPSILON)
+        by_axis = list(zip(AXES, normal, strict=False))
+        plus = [f"({axis} {name})" for axis, part in by_axis if part > 0]
+        minus = [f"({axis} {name})" for axis, part in by_axis if part < 0]
+        # the sum of some is at most the limit and the sum of others, with no negative number
+        left = _sum(plus + [str(-limit)] * (limit < 0))
+        right = _sum(minus + [str(limit)] * (limit > 0))
+        edges.append(f"(<= {left} {right})" if plus else f"(>= {right} {left})")
+    for one, other in zip(edges, edges[len(edges) // 2 :], strict=False):
+        yield f"{one} {other}"
 
 
-def _sum(terms: tuple[str, ...]) -> str:
-    if len(terms) < 2:
-        return terms[0] if terms else "0"
-    return f"(+ {_sum(terms[:-1])} {terms[-1]})"
+def _sum(terms: Sequence[str]) -> str:
+    return reduce(lambda one, other: f"(+ {one} {other})", terms) if terms else "0"

@@ -12,73 +12,43 @@ rests on an object, so it counts what does.
 import re
 import textwrap
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
+from itertools import groupby
+from typing import NamedTuple
 
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Predicate, Typed
-from neurosym.tasks.options import Put, puts_of
+from neurosym.tasks.options import puts_of
 
 WIDTH = 108
 """So many columns lines of comments have behind their semicolon, at most."""
-THING, PLACE, SPOT, PERCH, PRICE = "thing", "place", "spot", "perch", "price"
-MOTION, ORIGIN, COUNT, WAY = "motion", "origin", "count", "way"
-X_CELL, Y_CELL, X_SHIFT, Y_SHIFT = "x-cell", "y-cell", "x-shift", "y-shift"
-NOWHERE, NONE = "nowhere", "n0"
-FROM_SPOT, FROM_PERCH = "from-spot", "from-perch"
-PUSH, LIFT, PUT_DOWN, MOVE_X, MOVE_Y = "push", "lift", "put-down", "move-x", "move-y"
-REACH_CELL, REACH_LIFTED, REACH_PLACE = "reach-cell", "reach-lifted", "reach-place"
-TAKE, TAKE_OFF, PUT_AT, PUT, PUT_LOADED = "take", "take-off", "put-at", "put", "put-loaded"
-NOTE_CLEAR, LEAVE = "note-clear", "leave"
-_TYPES = {
-    **dict.fromkeys(("?o", "?b"), THING),
-    **dict.fromkeys(("?p", "?here", "?next"), SPOT),
-    **dict.fromkeys(("?n", "?more", "?load", "?less"), COUNT),
-    **dict.fromkeys(("?x", "?to-x"), X_CELL),
-    **dict.fromkeys(("?y", "?to-y"), Y_CELL),
-    "?c": PRICE,
-    "?m": MOTION,
-    "?up": MOTION,
-    "?dx": X_SHIFT,
-    "?dy": Y_SHIFT,
-    "?at": PLACE,
-    "?q": PERCH,
-    "?from": ORIGIN,
-    "?w": WAY,
-}
+NOWHERE, FROM_SPOT, FROM_PERCH = "nowhere", "from-spot", "from-perch"
+_KINDS = (
+    "thing ?o ?b, spot ?p ?here ?next, count ?n ?more ?load ?less, x-cell ?x ?to-x, y-cell ?y ?to-y, "
+    "price ?c, motion ?m ?up, x-shift ?dx, y-shift ?dy, place ?at, perch ?q, origin ?from, way ?w"
+)
+_TYPES = {variable: kind for kind, *every in map(str.split, _KINDS.split(", ")) for variable in every}
 """Every variable has the same type wherever it stands."""
 WORDS = (
-    *("object", THING, PLACE, SPOT, PERCH, PRICE, MOTION, ORIGIN, COUNT, WAY),
-    *(X_CELL, Y_CELL, X_SHIFT, Y_SHIFT, NOWHERE, NONE, FROM_SPOT, FROM_PERCH),
-    *(PUSH, LIFT, PUT_DOWN, MOVE_X, MOVE_Y, TAKE, TAKE_OFF, PUT_AT, PUT, PUT_LOADED),
-    *(NOTE_CLEAR, LEAVE, REACH_CELL, REACH_LIFTED, REACH_PLACE),
+    "object thing place spot perch price motion origin count way x-cell y-cell x-shift y-shift nowhere n0 "
+    "from-spot from-perch push lift put-down move-x move-y take take-off put-at put put-loaded note-clear "
+    "leave reach-cell reach-lifted reach-place"
 )
 """What every page may call its types, constants and actions."""
-_NOTHING = "-"
 _ROW = "  "
 """What rows of a table begin with."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Part:
-    """A part of the page, which is there if what it is about was learned.
+class _Part(NamedTuple):
+    """A part of the page, there if what it is about was learned; its texts are as `actions_in` reads them."""
 
-    Attributes:
-        about: What readers must know of it, as one paragraph.
-        types: Its types, beside things.
-        predicates: Its predicates, as `predicates_in` reads them.
-        actions: Its actions, as `actions_in` reads them.
-        constants: Its constants.
-        places: Its types of places.
-    """
-
-    about: str
-    types: tuple[str, ...]
+    about: str  # what readers must know of it, as one paragraph
+    types: tuple[str, ...]  # beside things and places
     predicates: str
     actions: str = ""
     constants: tuple[Typed, ...] = ()
-    places: tuple[str, ...] = ()
+    places: tuple[str, ...] = ()  # types of places
 
 
 @lru_cache(maxsize=8)
@@ -90,18 +60,22 @@ def page(grounding: Grounding) -> Domain:
     elif grounding.carriers:
         parts += [_carrying(grounding)]
     categories = sorted(category.name for category in grounding.operators.categories)
+    promise = "A valid plan asks a full hand for nothing but to put down"
+    promise += ", and carries only to places that are free." if parts[2:] or not grounding.live else "."
+    if grounding.live:
+        promise += " What moves by cells may collide on its way and at its end: `neurosym validate` replays "
+        promise += "plans and finds that."
     return Domain(
         name=grounding.name,
         head=(
             *common_head(grounding),
-            *_wrapped(part.about for part in parts),
-            *_guarantees(has_cells=bool(grounding.live), has_places=len(parts) > 2 or not grounding.live),
+            *_wrapped(*(part.about for part in parts), promise),
             *symbol_table(grounding),
         ),
         types=(
-            *((kind, OBJECT) for kind in (THING, *(kind for part in parts for kind in part.types))),
-            *((kind, PLACE) for part in parts for kind in part.places),
-            *((name, THING) for name in categories),
+            *((kind, OBJECT) for kind in ("thing", *(kind for part in parts for kind in part.types))),
+            *((kind, "place") for part in parts for kind in part.places),
+            *((name, "thing") for name in categories),
         ),
         constants=tuple(one for part in parts for one in part.constants),
         predicates=tuple(one for part in parts for one in predicates_in(part.predicates)),
@@ -118,7 +92,7 @@ def common_head(grounding: Grounding) -> tuple[str, ...]:
         else "What goes as promised with chance p costs 1 + round(-100 ln p); the other actions are free."
     )
     data = "Pushes and lifts were not rehearsed: what they do are averages over rows of the data."
-    paragraphs = (
+    return _wrapped(
         f"Learned domain {grounding.name}. Printed by neurosym; do not edit.",
         "Subtypes of thing are the categories of objects that a network learned from trying actions; they "
         "limit no action. Bits in names are learned symbols; a letter behind them tells parameters for one "
@@ -126,28 +100,16 @@ def common_head(grounding: Grounding) -> tuple[str, ...]:
         cost,
         data * (grounding.operators.measured == "data"),
     )
-    return _wrapped(paragraphs)
 
 
-def _wrapped(paragraphs: Iterable[str]) -> tuple[str, ...]:
+def _wrapped(*paragraphs: str) -> tuple[str, ...]:
     """Break paragraphs into lines of comments; empty ones are left out."""
     return tuple(line for text in paragraphs for line in textwrap.wrap(text, WIDTH, break_on_hyphens=False))
 
 
-def _guarantees(*, has_cells: bool, has_places: bool) -> tuple[str, ...]:
-    """Say what a valid plan guarantees, and what only its replay sees."""
-    carried = ", and carries only to places that are free" * has_places
-    collide = (
-        " What moves by cells may collide on its way and at its end: `neurosym validate` replays plans and "
-        "finds that."
-    )
-    valid = f"A valid plan asks a full hand for nothing but to put down{carried}."
-    return _wrapped([valid + collide * has_cells])
-
-
 _COMMON = _Part(
     about="",
-    types=(PRICE,),
+    types=("price",),
     predicates="""
         (hand-empty) ; the hand holds nothing
         (ready) ; no motion is under way
@@ -157,7 +119,7 @@ _COMMON = _Part(
 _LEADING = _Part(
     about="What is not carried is moved cell by cell: push, lift or put-down starts a motion ?m, named "
     "by its symbol, which shifts ?o by ?dx and ?dy cells; move-x and then move-y carry it out.",
-    types=(MOTION, X_CELL, Y_CELL, X_SHIFT, Y_SHIFT),
+    types=("motion", "x-cell", "y-cell", "x-shift", "y-shift"),
     predicates="""
         (by-cells ?o) ; ?o is moved cell by cell, until it is taken
         (at-x ?o ?x) ; the centre of ?o is in that column of cells
@@ -212,9 +174,7 @@ _LEADING = _Part(
 def _carrying(grounding: Grounding, origin: str = "") -> _Part:
     """Return what takes objects from places and puts them at others.
 
-    Args:
-        grounding: The learned domain.
-        origin: The variable for where an object in the hand is from, where it can be from another object.
+    The variable `origin` is for where an object in the hand is from, where it can be from another object.
     """
     has_origins = bool(origin)
     leave = """
@@ -227,9 +187,9 @@ def _carrying(grounding: Grounding, origin: str = "") -> _Part:
         about="Things stand at spots. What can be carried is taken from one, and put at another that is "
         "free. Where it would overlap spots of the start there, note-clear goes through them until nowhere "
         "is left.",
-        types=(PLACE, *([ORIGIN] if origin else [])),
-        places=(SPOT, *([PERCH] if origin else [])),
-        constants=((NOWHERE, SPOT), *(((FROM_SPOT, ORIGIN), (FROM_PERCH, ORIGIN)) if origin else ())),
+        types=("place", *(["origin"] if origin else [])),
+        places=("spot", *(["perch"] if origin else [])),
+        constants=((NOWHERE, "spot"), *(((FROM_SPOT, "origin"), (FROM_PERCH, "origin")) if origin else ())),
         predicates=f"""
             (stands ?o ?at) ; ?o stands there, or was not noted to have left
             (free ?p) ; nothing stands there
@@ -280,8 +240,8 @@ def _relating(grounding: Grounding) -> _Part:
         about="Things also bear each other. A perch ?q is room for things on or in a thing ?b, one for each "
         f"relation: {relations}. A way ?w puts something there, at a price by where it is from, and by how "
         "many things ?b bears. Goals by relation are (stands ?o ?q), others (done ?o).",
-        types=(COUNT, WAY),
-        constants=((NONE, COUNT),),
+        types=("count", "way"),
+        constants=(("n0", "count"),),
         predicates=f"""
             (on ?q ?b) ; ?q is a perch of ?b; this never changes
             (bears ?o ?n) ; so many things rest directly on or in ?o
@@ -323,13 +283,14 @@ def actions_in(text: str) -> tuple[Action, ...]:
         head, *clauses = re.split(r"\s(needs|adds|deletes|costs|tests|changes)\s", block)
         clause = dict(zip(clauses[::2], clauses[1::2], strict=True))
         (one,) = predicates_in(head)
-        needs, adds, deletes = (_atoms(clause.get(name, "")) for name in ("needs", "adds", "deletes"))
-        (price,) = _atoms(clause.get("costs", "")) or (None,)
-        tests, changes = (
-            (" ".join(clause[name].split()),) if name in clause else () for name in ("tests", "changes")
+        needs, adds, deletes, costs = (
+            _atoms(clause.get(name, "")) for name in ("needs", "adds", "deletes", "costs")
         )
-        atoms = (needs, adds, deletes)
-        found.append(Action(one.name, one.about, one.parameters, *atoms, price, tests, changes))
+        numbers = [
+            (" ".join(clause[name].split()),) if name in clause else () for name in ("tests", "changes")
+        ]
+        price = costs[0] if costs else None
+        found.append(Action(one.name, one.about, one.parameters, needs, adds, deletes, price, *numbers))
     return tuple(found)
 
 
@@ -354,67 +315,49 @@ def symbol_table(grounding: Grounding, *, with_others: bool = True) -> tuple[str
     """
     categories = sorted(grounding.operators.categories, key=lambda one: one.symbol)
     names = {category.symbol: category.name for category in categories}
-    rows = [["symbol", *names.values()], *_rows(grounding.live, names)]
-    carriers = _rows(grounding.carriers, names) if with_others else []
     lines = [
-        "Learned action symbols: what the surest motion of each does to a category, how far in mm, how often."
+        "Learned action symbols: what the surest motion of each does to a category, how far in mm, "
+        "how often.",
+        *_table([["symbol", *names.values()], *_rows(grounding.live, names)]),
     ]
-    lines += _lines(rows)
-    if carriers:
+    if with_others and (carriers := _rows(grounding.carriers, names)):
         lines += ["Symbols of carrying: how often each brings these categories, column by column, to places."]
-        lines += _lines(carriers)
+        lines += _table(carriers)
     if with_others and (puts := puts_of(grounding)):
         lines += ["Symbols of putting on or in others: for how many learned kinds of pairs, and how often."]
-        lines += _of_pairs(puts)
+        chances = dict[tuple[str, str], list[float]]()
+        for put in puts:
+            if put.kind:
+                chances.setdefault((put.operator.primitive, put.state.name), []).append(put.chance)
+        for symbol, row in groupby(sorted(chances), key=lambda one: one[0]):
+            told = (f"{key[1]} {len(chances[key])}, {_span(chances[key])}" for key in row)
+            lines.append(f"{_ROW}{symbol}  {', '.join(told)}")
     return tuple(lines)
 
 
-def _lines(rows: Sequence[Sequence[str]]) -> list[str]:
+def _table(rows: Sequence[Sequence[str]]) -> list[str]:
     """Print rows with columns as wide as they need."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     padded = (zip(row, widths, strict=True) for row in rows)
     return [_ROW + "  ".join(cell.ljust(width) for cell, width in row).rstrip() for row in padded]
 
 
-def _rows(operators: Sequence[Operator], names: dict[str, str]) -> list[list[str]]:
+def _rows(operators: Sequence[Operator], names: Iterable[str]) -> list[list[str]]:
     """Return a row for each symbol, with what its surest motion does to each category."""
-    rows = []
-    for symbol in sorted({one.primitive for one in operators}):
-        surest = {
-            category: max(
-                (one for one in operators if (one.primitive, one.category) == (symbol, category)),
-                key=lambda one: (one.chance, one.name),
-                default=None,
-            )
-            for category in names
-        }
-        rows.append([symbol, *(_told(one) if one else _NOTHING for one in surest.values())])
-    return rows
+    surest = dict[tuple[str, str], Operator]()
+    for one in sorted(operators, key=lambda one: (one.chance, one.name)):
+        surest[one.primitive, one.category] = one
+    symbols = sorted({symbol for symbol, _ in surest})
+    return [[symbol, *(_told(surest.get((symbol, name))) for name in names)] for symbol in symbols]
 
 
-def _told(operator: Operator) -> str:
+def _told(operator: Operator | None) -> str:
     """Say what an operator does to its category, how far in mm, and how surely."""
-    verb = operator.name.split(f"-{operator.label}-")[0]
-    promise = operator.promise
-    if promise is None:
-        return _NOTHING
-    x, y, z = promise.outcome
-    far = f" {1000 * z:.0f}" if is_lift(operator) else f" {1000 * (x * x + y * y) ** 0.5:.0f}"
-    said = "" if verb.startswith("carry") else f"{verb}{far} "
-    return f"{said}{operator.chance:.0%}"
-
-
-def _of_pairs(puts: Iterable[Put]) -> list[str]:
-    """Print a row for each symbol, with the relations that it leads to."""
-    rows = dict[str, dict[str, list[float]]]()
-    for put in puts:
-        if put.kind:
-            rows.setdefault(put.operator.primitive, {}).setdefault(put.state.name, []).append(put.chance)
-    return [
-        f"{_ROW}{symbol}  "
-        + ", ".join(f"{state} {len(found)}, {_span(found)}" for state, found in sorted(of.items()))
-        for symbol, of in sorted(rows.items())
-    ]
+    if operator is None or operator.promise is None:
+        return "-"
+    verb, (x, y, z) = operator.name.split(f"-{operator.label}-")[0], operator.promise.outcome
+    far = z if is_lift(operator) else (x * x + y * y) ** 0.5
+    return f"{verb} {1000 * far:.0f} " * (not verb.startswith("carry")) + f"{operator.chance:.0%}"
 
 
 def _span(shares: Sequence[float]) -> str:

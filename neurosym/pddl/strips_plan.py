@@ -5,43 +5,34 @@ from dataclasses import dataclass
 
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding, is_lift
-from neurosym.pair_operators import Case, case_of
+from neurosym.pair_operators import case_of
 from neurosym.pddl import strips
 from neurosym.pddl.strips_problem import COUNTS, StripsProblem, motion_name, price_name, step_name
 from neurosym.pddl.syntax import STRIPS, Atom, Course, EncodingName, words
 from neurosym.problems import spot_named
-from neurosym.tasks.options import PUT_DOWN, Move, Put
+from neurosym.tasks.options import PUT_DOWN
 from neurosym.tasks.supports import loads_of
 from neurosym.tasks.task import START, Task, check_place
 from neurosym.tasks.transition import PlanStep, apply, start
 
 _BEGUN_BY = {
-    "rest": (strips.PUSH, "pushes"),
-    "lift": (strips.LIFT, "lifts"),
-    "put-down": (strips.PUT_DOWN, "lowers"),
+    "rest": ("push", "pushes"),
+    "lift": ("lift", "lifts"),
+    "put-down": ("put-down", "lowers"),
 }
 """What begins each kind of move, and what says that it is offered."""
 
 
 @dataclass(frozen=True, slots=True)
 class GroundPlan:
-    """A plan as ground actions.
+    """A plan as ground actions."""
 
-    Attributes:
-        encoding: The encoding of the domain that has these actions.
-        actions: The ground actions.
-        facts: What must hold in the problem at the start beside what any plan may count on.
-        spots: Names of the spots that the problem must declare.
-        led: Names of the objects that are led over cells.
-        moves: Object and operator of what leads them.
-    """
-
-    encoding: EncodingName
-    actions: tuple[Atom, ...]
-    facts: tuple[Atom, ...] = ()
-    spots: tuple[str, ...] = ()
-    led: tuple[str, ...] = ()
-    moves: tuple[tuple[str, str], ...] = ()
+    encoding: EncodingName  # the encoding of the domain that has these actions
+    actions: tuple[Atom, ...]  # the ground actions
+    facts: tuple[Atom, ...] = ()  # at the start, beside what any plan may count on
+    spots: tuple[str, ...] = ()  # names of the spots that the problem must declare
+    led: tuple[str, ...] = ()  # names of the objects that are led over cells
+    moves: tuple[tuple[str, str], ...] = ()  # object and operator of what leads them
 
     @property
     def lines(self) -> tuple[str, ...]:
@@ -59,26 +50,16 @@ class GroundPlan:
 
 
 class Misread(InvalidValue):
-    """A plan that says what is not so.
-
-    Attributes:
-        number: The number of the action that is wrong, from 0.
-    """
+    """A plan that says what is not so in an action, counted from 0."""
 
     def __init__(self, problem: str, number: int):
         super().__init__(problem)
         self.number = number
 
 
-def led_by(steps: Iterable[PlanStep], task: Task) -> tuple[str, ...]:
-    """Name the objects that are led over cells, in a plan or without any."""
-    pushed = {step.object for step in steps if not step.place}
-    return tuple(name for name in task.names if name in pushed or name in task.led)
-
-
 def led_in(actions: Iterable[Atom], task: Task) -> tuple[str, ...]:
     """Name the objects that ground actions lead over cells, and those that would be led anyway."""
-    begun = {words[1] for words in actions if words[0] in (strips.PUSH, strips.LIFT) and len(words) > 1}
+    begun = {words[1] for words in actions if words[0] in ("push", "lift") and len(words) > 1}
     return tuple(name for name in task.names if name in begun or name in task.led)
 
 
@@ -93,66 +74,62 @@ def action_for(operator: str, grounding: Grounding) -> str:
         UnknownChoice: If there is no such operator.
     """
     if operator.startswith(PUT_DOWN):
-        return strips.PUT_DOWN
+        return "put-down"
     if grounding.relation_named(operator):
-        return strips.PUT
+        return "put"
     found = grounding.operator_named(operator)
-    return strips.PUT_AT if grounding.carries(found) else strips.LIFT if is_lift(found) else strips.PUSH
+    return "put-at" if grounding.carries(found) else "lift" if is_lift(found) else "push"
 
 
 def write(steps: Sequence[PlanStep], printed: StripsProblem) -> GroundPlan:
     """Write a plan as ground actions of a problem, in which all is led that steps lead over cells."""
-    return _Writer(printed).write(steps)
+    writer, task = _Writer(printed), printed.task
+    for number, step in enumerate(steps):
+        writer.take(step, is_last=all(later.object != step.object for later in steps[number + 1 :]))
+    noted = {words[1] for words in writer.actions if words[0] in ("reach-cell", "reach-lifted")}
+    for name in sorted(task.problem.goals):
+        if name not in printed.led or writer.was_carried(name):
+            place = writer.now.stands.get(name, f"{START}{name}")
+            writer.actions.append(("reach-place", name, place))
+        elif name not in noted:
+            writer.reach_cell(name)
+    return GroundPlan(
+        STRIPS,
+        tuple(writer.actions),
+        facts=tuple(dict.fromkeys(writer.facts)),
+        spots=tuple(dict.fromkeys(writer.spots)),
+        led=printed.led,
+        moves=tuple(dict.fromkeys(writer.moves)),
+    )
 
 
 class _Writer:
-    """The actions written so far, and where objects are by then."""
+    """The actions written so far, what they need, and where objects are by then."""
 
     def __init__(self, printed: StripsProblem):
         self._printed, self._task, self._grid = printed, printed.task, printed.grid
-        self._now = start(self._task)
-        self._cells = {
-            name: list(self._grid.anchor(self._task.flat.object_named(name).position)) for name in printed.led
-        }
+        self.now = start(self._task)
+        flat = self._task.flat
+        self._cells = {name: [*self._grid.anchor(flat.object_named(name).position)] for name in printed.led}
         self._lifted: tuple[str, str] | None = None
-        self._actions, self._facts = list[Atom](), list[Atom]()
-        self._spots, self._moves = list[str](), list[tuple[str, str]]()
+        self.actions, self.facts = list[Atom](), list[Atom]()
+        self.spots, self.moves = list[str](), list[tuple[str, str]]()
 
-    def write(self, steps: Sequence[PlanStep]) -> GroundPlan:
-        task = self._task
-        for number, step in enumerate(steps):
-            name = step.object
-            if step.place:
-                (self._put if task.grounding.relation_named(step.base) else self._carry)(step)
-            else:
-                self._lead(step)
-                is_last = not any(later.object == name for later in steps[number + 1 :])
-                if is_last and task.places and name in task.problem.goals and name in self._now.stands:
-                    self._reach_cell(name)
-                    self._say(strips.LEAVE, name, self._now.stands[name])
-            self._now = apply(task, self._now, step)
-        noted = {words[1] for words in self._actions if words[0] in (strips.REACH_CELL, strips.REACH_LIFTED)}
-        for name in sorted(task.problem.goals):
-            if name not in self._printed.led or self._was_carried(name):
-                self._say(strips.REACH_PLACE, name, self._now.stands.get(name, f"{START}{name}"))
-            elif name not in noted:
-                self._reach_cell(name)
-        return GroundPlan(
-            STRIPS,
-            tuple(self._actions),
-            facts=tuple(dict.fromkeys(self._facts)),
-            spots=tuple(dict.fromkeys(self._spots)),
-            led=self._printed.led,
-            moves=tuple(dict.fromkeys(self._moves)),
-        )
+    def take(self, step: PlanStep, *, is_last: bool) -> None:
+        """Write a step, which may be the last with its object."""
+        name, task = step.object, self._task
+        if step.place:
+            (self._put if task.grounding.relation_named(step.base) else self._carry)(step)
+        else:
+            self._lead(step)
+            if is_last and task.places and name in task.problem.goals and name in self.now.stands:
+                self.reach_cell(name)
+                self.actions.append(("leave", name, self.now.stands[name]))
+        self.now = apply(task, self.now, step)
 
-    def _say(self, *words: str) -> None:
-        self._actions.append(words)
-
-    def _was_carried(self, name: str) -> bool:
-        return any(words[:2] == (strips.TAKE, name) for words in self._actions)
-
-    # Cells
+    def was_carried(self, name: str) -> bool:
+        """Say whether an object was taken from a spot."""
+        return any(words[:2] == ("take", name) for words in self.actions)
 
     def _lead(self, step: PlanStep) -> None:
         name = step.object
@@ -162,89 +139,79 @@ class _Writer:
             raise InvalidValue(
                 f"{step.operator} is not in the domain for {name}, so the plan cannot be printed."
             )
-        if self._was_carried(name):
+        if self.was_carried(name):
             raise InvalidValue(f"{name} is carried and then led over cells, so the plan cannot be printed.")
         shifts = [step_name(axis, move.cells[axis]) for axis in (0, 1)]
         price = [price_name(move.cost)] if move.kind != "put-down" else []
         verb, offered = _BEGUN_BY[move.kind]
-        self._say(verb, name, motion_name(move), *shifts, *price)
-        self._facts.append((offered, name, motion_name(move), *shifts, *price))
-        self._moves.append((name, move.operator.name))
-        for axis, mover in enumerate((strips.MOVE_X, strips.MOVE_Y)):
-            cells = self._step(name, move, axis)
-            self._say(mover, name, shifts[axis], *cells)
-            self._facts.append((f"{'xy'[axis]}-sum", shifts[axis], *cells))
+        self.actions.append((verb, name, motion_name(move), *shifts, *price))
+        self.facts.append((offered, name, motion_name(move), *shifts, *price))
+        self.moves.append((name, move.operator.name))
+        here = self._cells[name]
+        for axis, mover in enumerate(("move-x", "move-y")):
+            before, here[axis] = here[axis], here[axis] + move.cells[axis]
+            if not 0 <= here[axis] <= self._grid.last[axis]:
+                raise InvalidValue(f"{move.name} leads {name} off the grid along {'xy'[axis]}.")
+            cells = [self._grid.cell_name(axis, cell) for cell in (before, here[axis])]
+            self.actions.append((mover, name, shifts[axis], *cells))
+            self.facts.append((f"{'xy'[axis]}-sum", shifts[axis], *cells))
         self._lifted = (name, motion_name(move)) if move.kind == "lift" else None
 
-    def _step(self, name: str, move: Move, axis: int) -> tuple[str, str]:
-        """Lead an object along an axis, and return the cells that it leaves and comes to."""
-        here = self._cells[name]
-        before, here[axis] = here[axis], here[axis] + move.cells[axis]
-        if not 0 <= here[axis] <= self._grid.last[axis]:
-            raise InvalidValue(f"{move.name} leads {name} off the grid along {'xy'[axis]}.")
-        return self._grid.cell_name(axis, before), self._grid.cell_name(axis, here[axis])
-
-    def _reach_cell(self, name: str) -> None:
-        x, y = (self._grid.cell_name(axis, self._cells[name][axis]) for axis in (0, 1))
+    def reach_cell(self, name: str) -> None:
+        """Note that an object is at its goal, over cells."""
+        xy = [self._grid.cell_name(axis, self._cells[name][axis]) for axis in (0, 1)]
         if self._lifted and self._lifted[0] == name:
-            self._say(strips.REACH_LIFTED, *self._lifted, x, y)
-            self._facts.append(("goal-lifted", *self._lifted))
+            self.actions.append(("reach-lifted", *self._lifted, *xy))
+            self.facts.append(("goal-lifted", *self._lifted))
         else:
-            self._say(strips.REACH_CELL, name, x, y)
-            self._facts.append(("goal-on-table", name))
-        self._facts.append(("goal-cell", name, x, y))
-
-    # Places and relations
+            self.actions.append(("reach-cell", name, *xy))
+            self.facts.append(("goal-on-table", name))
+        self.facts.append(("goal-cell", name, *xy))
 
     def _take(self, name: str) -> tuple[str, ...]:
         """Take an object, and return where it is from, if the domain tells."""
-        borne = self._now.supports.get(name)
+        borne = self.now.supports.get(name)
         if borne is None:
-            self._say(strips.TAKE, name, self._now.stands[name])
+            self.actions.append(("take", name, self.now.stands[name]))
             return (strips.FROM_SPOT,) if self._task.grounding.relations else ()
-        count = len(loads_of(borne.by, self._now.supports))
+        count = len(loads_of(borne.by, self.now.supports))
         perch = self._printed.perch(borne.state, borne.by)
-        self._say(strips.TAKE_OFF, name, perch, borne.by, COUNTS[count - 1], COUNTS[count])
+        self.actions.append(("take-off", name, perch, borne.by, COUNTS[count - 1], COUNTS[count]))
         return (strips.FROM_PERCH,)
 
     def _carry(self, step: PlanStep) -> None:
         name, place, task = step.object, step.place, self._task
         if name not in task.carriers:
             raise InvalidValue(f"nothing carries {name} to places, so the plan cannot be printed.")
-        origin = self._take(name)
-        room = self._printed.room(name, place)
-        for link in room:
-            if link[0] == "then":
-                self._say(strips.NOTE_CLEAR, *link[1:])
+        origin, room = self._take(name), self._printed.room(name, place)
+        self.actions += [("note-clear", *link[1:]) for link in room if link[0] == "then"]
         cost = price_name(task.carry_cost(name, borne=origin == (strips.FROM_PERCH,)))
-        self._say(strips.PUT_AT, name, place, *origin, cost)
+        self.actions.append(("put-at", name, place, *origin, cost))
         if spot_named(place) and place not in task.places:
-            self._spots.append(place)
-        self._facts += [("can-take", name), ("can-carry", name, *origin, cost), ("free", place), *room]
+            self.spots.append(place)
+        self.facts += [("can-take", name), ("can-carry", name, *origin, cost), ("free", place), *room]
 
     def _put(self, step: PlanStep) -> None:
-        name, other, supports = step.object, step.place, self._now.supports
-        count = sum(one != name for one in loads_of(other, supports))
-        load = len(loads_of(name, supports))
-        option = self._option(step, case_of(name in supports, bool(count), bool(load)))
+        name, other, supports, task = step.object, step.place, self.now.supports, self._task
+        count, load = sum(one != name for one in loads_of(other, supports)), len(loads_of(name, supports))
+        case, found = (
+            case_of(name in supports, bool(count), bool(load)),
+            task.grounding.relation_named(step.base),
+        )
+        wanted = found and found.promise and (found.promise.state, case)
+        options = task.put_options.get((name, other), ())
+        option = next((one for one in options if (one.state.symbol, one.case) == wanted), None)
+        if option is None:
+            raise InvalidValue(f"{step.operator} is not offered for {name} with {other} there.")
         (origin,) = self._take(name)
         said = [name, self._printed.perch(option.state, other), other, origin]
         if load:
-            if other not in self._now.stands:
+            if other not in self.now.stands:
                 raise InvalidValue(f"{name} bears something, and {other} stands at no place.")
-            said += [self._now.stands[other], COUNTS[load - 1], COUNTS[load]]
-        way, cost = self._printed.way_of((name, other), option), price_name(option.cost(self._task.grounding))
-        verb = strips.PUT_LOADED if load else strips.PUT
-        self._say(verb, *said, COUNTS[count], COUNTS[count + 1], way, cost)
-
-    def _option(self, step: PlanStep, case: Case) -> Put:
-        """Return what is offered for a step in a case."""
-        found = self._task.grounding.relation_named(step.base)
-        promise = found.promise if found else None
-        for option in self._task.put_options.get((step.object, step.place), ()):
-            if promise is not None and (option.state.symbol, option.case) == (promise.state, case):
-                return option
-        raise InvalidValue(f"{step.operator} is not offered for {step.object} with {step.place} there.")
+            said += [self.now.stands[other], COUNTS[load - 1], COUNTS[load]]
+        way, cost = self._printed.way_of((name, other), option), price_name(option.cost(task.grounding))
+        verb = "put-loaded" if load else "put"
+        self.actions.append((verb, *said, COUNTS[count], COUNTS[count + 1], way, cost))
 
 
 def read(actions: Sequence[Atom], printed: StripsProblem) -> tuple[PlanStep, ...]:
@@ -260,66 +227,58 @@ def read(actions: Sequence[Atom], printed: StripsProblem) -> tuple[PlanStep, ...
     Raises:
         Misread: If an action is not possible, or the plan lacks something.
     """
-    holds = {*printed.data().atoms, *_granted(actions, printed)}
-    course, steps = Course(strips.page(printed.task.grounding), holds), list[PlanStep]()
+    task, steps = printed.task, list[PlanStep]()
+    course = Course(strips.page(task.grounding), {*printed.data().atoms, *_granted(actions, printed)})
     for number, (name, *arguments) in enumerate(actions):
         try:
             course.take(name, arguments)
             steps += _begun(name, arguments, printed)
         except (InvalidValue, UnknownChoice) as error:
             raise Misread(str(error).rstrip("."), number) from error
-    if actions and (lack := _lacking(actions, course.holds, printed.task)):
+    taken = [atom[1] for atom in course.holds if atom[0] == "taken"]
+    missing = [name for name in sorted(task.problem.goals) if ("done", name) not in course.holds]
+    lack = ""
+    if taken:
+        lack = f"{taken[0]} was taken, and is put nowhere"
+    elif ("ready",) not in course.holds:
+        lack = "the step is not complete; move-x and move-y come after it"
+    elif missing and any(name.startswith("reach-") for name, *_ in actions):
+        lack = f"after it nothing notes that {missing[0]} is at its goal, though that is noted of others"
+    if actions and lack:
         raise Misread(lack, len(actions) - 1)
     return tuple(steps)
 
 
 def _granted(actions: Iterable[Atom], printed: StripsProblem) -> Iterator[Atom]:
     """List what is for the replay to judge: goals over cells, and room at spots of the table."""
-    task = printed.task
     for name, *said in actions:
-        if name == strips.REACH_CELL and len(said) == 3:
+        if name == "reach-cell" and len(said) == 3:
             yield from (("goal-on-table", said[0]), ("goal-cell", *said))
-        elif name == strips.REACH_LIFTED and len(said) == 4:
-            thing, motion, x, y = said
-            yield from (("goal-lifted", thing, motion), ("goal-cell", thing, x, y))
-        elif name == strips.PUT_AT and len(said) > 1 and said[0] in task.names:
+        elif name == "reach-lifted" and len(said) == 4:
+            yield from (("goal-lifted", *said[:2]), ("goal-cell", said[0], *said[2:]))
+        elif name == "put-at" and len(said) > 1 and said[0] in printed.task.names:
             thing, place = said[:2]
-            if place in task.places or spot_named(place):
+            is_known = place in printed.task.places
+            if is_known or spot_named(place):
                 yield from printed.room(thing, place)
-            if place not in task.places:
+            if not is_known:
                 yield ("free", place)
 
 
 def _begun(name: str, arguments: Sequence[str], printed: StripsProblem) -> Iterator[PlanStep]:
     """Yield the step that an action begins, if it begins one."""
     task, thing = printed.task, arguments[0]
-    for kind, (verb, _) in _BEGUN_BY.items():
-        if name == verb:
-            moves = printed.moves[thing]
-            found = next(one for one in moves if (motion_name(one), one.kind) == (arguments[1], kind))
-            yield PlanStep(found.name, thing)
-    if name == strips.PUT_AT:
+    if kind := next((kind for kind, (verb, _) in _BEGUN_BY.items() if verb == name), None):
+        wanted = (arguments[1], kind)
+        moves = printed.moves[thing]
+        yield PlanStep(next(one.name for one in moves if (motion_name(one), one.kind) == wanted), thing)
+    elif name == "put-at":
         check_place(arguments[1], task.flat, task.grounding)
         yield PlanStep(task.carriers[thing][0].name, thing, arguments[1])
-    if name in (strips.PUT, strips.PUT_LOADED):
+    elif name in ("put", "put-loaded"):
         perch, other, origin = arguments[1:4]
         is_borne, is_occupied = origin == strips.FROM_PERCH, arguments[-4] != COUNTS[0]
-        case = case_of(is_borne, is_occupied, name == strips.PUT_LOADED)
-        option = next(
-            one
-            for one in task.put_options[thing, other]
-            if printed.perch(one.state, other) == perch and one.case == case
-        )
-        yield PlanStep(option.name, thing, other)
-
-
-def _lacking(actions: Sequence[Atom], holds: set[Atom], task: Task) -> str:
-    """Say what a plan leaves open in the end."""
-    if taken := next((atom for atom in holds if atom[0] == "taken"), None):
-        return f"{taken[1]} was taken, and is put nowhere"
-    if ("ready",) not in holds:
-        return f"the step is not complete; {strips.MOVE_X} and {strips.MOVE_Y} come after it"
-    missing = [name for name in sorted(task.problem.goals) if ("done", name) not in holds]
-    if missing and any(name.startswith("reach-") for name, *_ in actions):
-        return f"after it nothing notes that {missing[0]} is at its goal, though that is noted of others"
-    return ""
+        case = case_of(is_borne, is_occupied, name == "put-loaded")
+        options = [one for one in task.put_options[thing, other] if one.case == case]
+        put = next(one.name for one in options if printed.perch(one.state, other) == perch)
+        yield PlanStep(put, thing, other)

@@ -11,22 +11,7 @@ from neurosym.errors import counted
 from neurosym.grounding import Grounding
 from neurosym.pair_operators import PairState
 from neurosym.pddl.grid import goal_region, grid_of
-from neurosym.pddl.strips import (
-    COUNT,
-    FROM_PERCH,
-    FROM_SPOT,
-    MOTION,
-    NONE,
-    NOWHERE,
-    PERCH,
-    PRICE,
-    SPOT,
-    WAY,
-    X_CELL,
-    X_SHIFT,
-    Y_CELL,
-    Y_SHIFT,
-)
+from neurosym.pddl.strips import FROM_PERCH, FROM_SPOT, NOWHERE
 from neurosym.pddl.syntax import Atom, Facts, PddlProblem, Typed
 from neurosym.tasks.options import Move, Put
 from neurosym.tasks.supports import loads_of
@@ -34,7 +19,7 @@ from neurosym.tasks.task import START, Pair, Task, is_at
 
 _Way = tuple[tuple[str, str, int], ...]
 """What a way costs from each origin, and onto what bears so many."""
-COUNTS = (NONE, *(f"n{number}" for number in range(1, 100)))
+COUNTS = ("n0", *(f"n{number}" for number in range(1, 100)))
 """How many objects another one bears."""
 STEPS = 1
 """How many steps the rounding of is reckoned with, unless the caller says otherwise.
@@ -45,7 +30,7 @@ COARSEST = 2
 """So many of the domain's cells a cell of a problem is long at most."""
 CELLS_IN_TOLERANCE = 5
 """So many cells the tolerance of goals holds at least, or as many as the domain's own cells allow."""
-_AXES = (("x", X_CELL, X_SHIFT), ("y", Y_CELL, Y_SHIFT))
+_AXES = (("x", "x-cell", "x-shift"), ("y", "y-cell", "y-shift"))
 
 
 def printed_cell(task: Task) -> float:
@@ -68,20 +53,6 @@ def step_name(axis: int, cells: int) -> str:
 def price_name(cost: int) -> str:
     """Name a price, like `cost12`."""
     return f"cost{cost}"
-
-
-def perch_name(state: PairState, thing: str, grounding: Grounding) -> str:
-    """Name a relation to a thing that bears something in it, like `rests-on-item-06`.
-
-    Its bits are named, too, if the domain has another relation of that name.
-    """
-    plain = _plain(state)
-    is_only = sum(_plain(one) == plain for one in grounding.bearing_states) < 2
-    return f"{plain if is_only else state.name}-{thing}"
-
-
-def _plain(state: PairState) -> str:
-    return state.name.removesuffix(f"-{state.symbol}")
 
 
 class StripsProblem:
@@ -111,8 +82,8 @@ class StripsProblem:
         self.task, self.steps, self.margin = task, steps, margin
         self._kept, self._every = kept, every
         self.led = tuple(task.led if led is None else led)
-        cells = grid or msgspec.structs.replace(task.grounding, cell=printed_cell(task))
-        self.cells, self.grid = cells, grid_of(cells)
+        self.cells = grid or msgspec.structs.replace(task.grounding, cell=printed_cell(task))
+        self.grid = grid_of(self.cells)
 
     def data(self, beside: Iterable[Atom] = (), spots: Iterable[str] = ()) -> PddlProblem:
         """Return the problem as data.
@@ -125,27 +96,30 @@ class StripsProblem:
         known = {atom for row in facts for atom in row.atoms}
         if more := [atom for atom in dict.fromkeys(beside) if atom not in known]:
             facts.append(Facts("for plans beside this problem, which the exact replay takes", tuple(more)))
+        goals: list[Atom] = [("done", name) for name in sorted(task.problem.goals)]
+        for target, reference, state in task.problem.related:
+            goals.append(("stands", target, self.perch(task.state_named(state), reference)))
         return PddlProblem(
             name=task.problem.name,
             domain=task.grounding.name,
             head=tuple(self._head()),
-            objects=(*self._objects(), *((name, SPOT) for name in dict.fromkeys(spots))),
+            objects=(*self._objects(), *((name, "spot") for name in dict.fromkeys(spots))),
             facts=tuple(facts),
             costs={("cost", price_name(cost)): cost for cost in self._prices},
-            goals=tuple(self._goals()),
+            goals=tuple(goals),
         )
 
     @cached_property
     def moves(self) -> Mapping[str, tuple[Move, ...]]:
         """What is done to each object that is led, the surest of what does the same, in cells."""
-        every = {name: self.task.every_move_on(self.cells, name) for name in self.led}
+        found = {name: self.task.every_move_on(self.cells, name) for name in self.led}
         if self._every:
-            return every
+            return found
         told = {(name, one) for name in self.led for one in _surest(self.task.moves_on(self.cells, name))}
         told |= {*self._kept}
         return {
             name: tuple(move for move in moves if (name, move.operator.name) in told)
-            for name, moves in every.items()
+            for name, moves in found.items()
         }
 
     def _head(self) -> Iterator[str]:
@@ -166,28 +140,31 @@ class StripsProblem:
         for item in task.problem.objects:
             yield item.name, task.grounding.category(item.category).name
         if task.places:
-            yield from ((f"{START}{name}", SPOT) for name in task.names if name not in task.supports)
-            yield from ((name, SPOT) for name in task.places)
+            starts = [f"{START}{name}" for name in task.names if name not in task.supports]
+            yield from ((name, "spot") for name in (*starts, *task.places))
         if task.relates:
-            yield from ((name, PERCH) for name in self._perches)
-            yield from ((name, COUNT) for name in COUNTS[1 : task.most_borne + 1])
-            yield from ((name, WAY) for name in self._ways.values())
+            yield from ((name, "perch") for name in self._perches)
+            yield from ((name, "count") for name in COUNTS[1 : task.most_borne + 1])
+            yield from ((name, "way") for name in self._ways.values())
         if self.led:
             motions = {motion_name(move) for moves in self.moves.values() for move in moves}
-            yield from ((name, MOTION) for name in sorted(motions))
+            yield from ((name, "motion") for name in sorted(motions))
             for axis, (_, cell, step) in enumerate(_AXES):
                 yield from ((step_name(axis, cells), step) for cells in self._steps(axis))
                 yield from ((name, cell) for name in self.grid.cell_names(axis))
-        yield from ((price_name(cost), PRICE) for cost in self._prices)
+        yield from ((price_name(cost), "price") for cost in self._prices)
 
     def _facts(self) -> Iterator[Facts]:
         task = self.task
         yield Facts("", (("hand-empty",), ("ready",)))
         if task.places or task.relates:
-            yield from self._starts()
+            yield Facts("where objects are at first", tuple(self._starts()))
         if task.places:
-            yield from self._rooms()
-            yield Facts("what can be carried, from where, and its price", tuple(self._carrying()))
+            for place, (x, y) in task.places.items():
+                rooms = [atom for name in task.occupants[place] for atom in self.room(name, place)]
+                yield Facts(f"{place} lies at ({x:.4f}, {y:.4f}) m", (("free", place), *rooms))
+            carried: list[Atom] = [("can-carry", *words, price_name(cost)) for words, cost in self._carried]
+            yield Facts("what can be carried, from where, and its price", tuple(carried))
         if task.relates:
             yield from self._relations()
         for name in self.led:
@@ -195,86 +172,55 @@ class StripsProblem:
         if self.led:
             yield Facts("where steps lead", tuple(self._sums()))
 
-    def _goals(self) -> Iterator[Atom]:
-        task = self.task
-        yield from (("done", name) for name in sorted(task.problem.goals))
-        for target, reference, state in task.problem.related:
-            yield "stands", target, self.perch(task.state_named(state), reference)
-
     @cached_property
-    def _prices(self) -> tuple[int, ...]:
+    def _prices(self) -> list[int]:
         """All that steps cost, in order."""
-        task = self.task
         found = {move.cost for moves in self.moves.values() for move in moves if move.kind != "put-down"}
-        found |= {task.carry_cost(name, borne=borne) for name, borne in self._origins()}
-        found |= {cost for way in self._ways for *_, cost in way}
-        return tuple(sorted(found))
+        found |= {cost for _, cost in self._carried} | {cost for way in self._ways for *_, cost in way}
+        return sorted(found)
 
     # Places
 
-    def _starts(self) -> Iterator[Facts]:
-        task, counted = self.task, bool(self.task.grounding.relations)
-        atoms = list[Atom]()
+    def _starts(self) -> Iterator[Atom]:
+        task = self.task
+        takers = {*task.carried, *(target for target, _ in task.put_options)}
         for name in task.names:
             if borne := task.supports.get(name):
-                atoms.append(("stands", name, self.perch(borne.state, borne.by)))
+                yield "stands", name, self.perch(borne.state, borne.by)
             elif task.places:
                 place = f"{START}{name}"
-                atoms.append(("stands", name, place))
+                yield "stands", name, place
                 if name not in self.led:
-                    atoms += self._goal_at(name, place, task.flat.object_named(name).position[:2])
-            if counted:
-                atoms.append(("bears", name, COUNTS[len(loads_of(name, task.supports))]))
-            if name in self._takers:
-                atoms.append(("can-take", name))
-        yield Facts("where objects are at first", tuple(atoms))
+                    yield from self._goal_at(name, place, task.flat.object_named(name).position)
+            if task.grounding.relations:
+                yield "bears", name, COUNTS[len(loads_of(name, task.supports))]
+            if name in takers:
+                yield "can-take", name
 
-    @cached_property
-    def _takers(self) -> frozenset[str]:
-        """The objects that can be put somewhere once they are taken."""
-        task = self.task
-        return frozenset({*task.carried, *(target for target, _ in task.put_options)})
-
-    def _goal_at(self, name: str, place: str, spot: tuple[float, ...]) -> list[Atom]:
-        x, y = spot
-        is_there = name in self.task.problem.goals and is_at(name, (x, y), self.task.flat)
+    def _goal_at(self, name: str, place: str, spot: Sequence[float]) -> list[Atom]:
+        is_there = name in self.task.problem.goals and is_at(name, (spot[0], spot[1]), self.task.flat)
         return [("goal-place", name, place)] if is_there else []
 
-    def _rooms(self) -> Iterator[Facts]:
-        for place, (x, y) in self.task.places.items():
-            atoms: list[Atom] = [("free", place)]
-            for name in self.task.occupants[place]:
-                atoms += self.room(name, place)
-            yield Facts(f"{place} lies at ({x:.4f}, {y:.4f}) m", tuple(atoms))
-
     def room(self, name: str, place: str) -> list[Atom]:
-        """Say which places must be free, one after another, for an object to have room at a place.
-
-        Args:
-            name: The object.
-            place: The place, which may be a spot.
-        """
+        """Say which places must be free, one after another, for an object to have room at a place or spot."""
         spot = self.task.flat.place_named(place)
         chain = [*(f"{START}{other}" for other in self.task.blockers(name, spot)), NOWHERE]
         links: list[Atom] = [("then", name, place, here, then) for here, then in pairwise(chain)]
         return [*self._goal_at(name, place, spot), ("check", name, place, chain[0]), *links]
 
-    def _origins(self) -> Iterator[tuple[str, bool]]:
-        """List what can be carried to places, and whether from another object."""
-        for name in self.task.carried:
-            yield name, False
-            if self.task.relates and self.task.grounding.takes(self.task.carriers[name][0], "borne"):
-                yield name, True
+    @cached_property
+    def _carried(self) -> list[tuple[list[str], int]]:
+        """What can be carried to places, each with what that costs.
 
-    def _carrying(self) -> Iterator[Atom]:
-        for name, borne in self._origins():
-            origin = [FROM_PERCH if borne else FROM_SPOT] if self._has_origins else []
-            yield "can-carry", name, *origin, price_name(self.task.carry_cost(name, borne=borne))
-
-    @property
-    def _has_origins(self) -> bool:
-        """Whether the domain puts objects on others, so that it tells where they come from."""
-        return bool(self.task.grounding.relations)
+        Where it comes from is told if the domain puts objects on others.
+        """
+        task, found = self.task, list[tuple[list[str], int]]()
+        for name in task.carried:
+            takes = task.relates and task.grounding.takes(task.carriers[name][0], "borne")
+            for borne in (False, True) if takes else (False,):
+                origin = [FROM_PERCH if borne else FROM_SPOT] if task.grounding.relations else []
+                found.append(([name, *origin], task.carry_cost(name, borne=borne)))
+        return found
 
     # Relations
 
@@ -289,93 +235,84 @@ class StripsProblem:
         return dict(sorted(named.items(), key=lambda one: one[::-1]))
 
     def perch(self, state: PairState, thing: str) -> str:
-        """Name a relation to a thing that bears something in it; see `perch_name`."""
-        return perch_name(state, thing, self.task.grounding)
+        """Name a relation to a thing that bears something in it, like `rests-on-item-06`.
+
+        Its bits are named, too, if the domain has another relation of that name.
+        """
+        plain = _plain(state)
+        is_only = sum(_plain(one) == plain for one in self.task.grounding.bearing_states) < 2
+        return f"{plain if is_only else state.name}-{thing}"
+
+    @cached_property
+    def _offers(self) -> Mapping[Pair, Mapping[tuple[PairState, bool], _Way]]:
+        """The states that each pair can be brought to, with or without a load, each with what it costs."""
+        counts, offers = COUNTS[: self.task.most_borne], dict[Pair, dict[tuple[PairState, bool], _Way]]()
+        for pair, options in self.task.put_options.items():
+            found = offers.setdefault(pair, {})
+            for one in options:
+                key, cost = (one.state, "laden" in one.case), one.cost(self.task.grounding)
+                origin = FROM_PERCH if "borne" in one.case else FROM_SPOT
+                rows = [
+                    (origin, count, cost) for count in (counts[1:] if "occupied" in one.case else counts[:1])
+                ]
+                found[key] = tuple(sorted((*found.get(key, ()), *rows)))
+        return offers
 
     @cached_property
     def _ways(self) -> Mapping[_Way, str]:
         """The different prices by origin and count, each with the name of the ways that have them."""
-        found = {way for options in self.task.put_options.values() for way in self._by_state(options)}
-        return {
-            way: f"way{number}" for number, way in enumerate(sorted({row for _, _, row in found}), start=1)
-        }
+        ways = sorted({way for found in self._offers.values() for way in found.values()})
+        return {way: f"way{number}" for number, way in enumerate(ways, start=1)}
 
     def way_of(self, pair: Pair, option: Put) -> str:
         """Name the way that puts one object on or into another."""
-        rows = self._by_state(self.task.put_options[pair])
-        same = (option.state, "laden" in option.case)
-        return next(self._ways[row] for state, laden, row in rows if (state, laden) == same)
-
-    def _by_state(self, options: Sequence[Put]) -> list[tuple[PairState, bool, _Way]]:
-        """List the states that a pair can be brought to, with or without a load, each with what it costs."""
-        found = dict[tuple[PairState, bool], list[tuple[str, str, int]]]()
-        for one in options:
-            origin, cost = FROM_PERCH if "borne" in one.case else FROM_SPOT, one.cost(self.task.grounding)
-            row = found.setdefault((one.state, "laden" in one.case), [])
-            counts = self.counts[1:] if "occupied" in one.case else self.counts[:1]
-            row += [(origin, count, cost) for count in counts]
-        return [(state, laden, tuple(sorted(row))) for (state, laden), row in found.items()]
-
-    @property
-    def counts(self) -> tuple[str, ...]:
-        """How many objects another one can bear, from none up, before it bears one more."""
-        return COUNTS[: self.task.most_borne]
+        return self._ways[self._offers[pair][option.state, "laden" in option.case]]
 
     def _relations(self) -> Iterator[Facts]:
-        task = self.task
-        counts = COUNTS[: task.most_borne + 1]
+        counts = COUNTS[: self.task.most_borne + 1]
         yield Facts("counting", tuple(("next", less, more) for less, more in pairwise(counts)))
-        atoms = list[Atom]()
-        for (target, reference), options in task.put_options.items():
-            for state, laden, row in self._by_state(options):
-                name = "can-put-loaded" if laden else "can-put"
-                atoms.append((name, target, self.perch(state, reference), self._ways[row]))
         yield Facts("on or in what", tuple(("on", perch, name) for perch, name in self._perches.items()))
-        yield Facts("what puts one thing on or into another", tuple(atoms))
-        ways = (
+        puts: list[Atom] = [
+            ("can-put-loaded" if laden else "can-put", target, self.perch(state, reference), self._ways[way])
+            for (target, reference), found in self._offers.items()
+            for (state, laden), way in found.items()
+        ]
+        yield Facts("what puts one thing on or into another", tuple(puts))
+        fees: list[Atom] = [
             ("fee", name, *words, price_name(cost))
-            for row, name in self._ways.items()
-            for *words, cost in row
-        )
-        yield Facts("what that costs, by where the one is from, and what the other bears", tuple(ways))
+            for way, name in self._ways.items()
+            for *words, cost in way
+        ]
+        yield Facts("what that costs, by where the one is from, and what the other bears", tuple(fees))
 
     # Cells
 
     def _leading(self, name: str) -> Iterator[Facts]:
-        task = self.task
-        item, goal = task.problem.object_named(name), task.problem.goals.get(name)
+        problem, names = self.task.problem, [self.grid.cell_names(axis) for axis in (0, 1)]
+        item, goal, moves = problem.object_named(name), problem.goals.get(name), self.moves[name]
         x, y, _ = self.grid.anchor(item.position)
         atoms: list[Atom] = [
-            ("by-cells", name),
-            ("on-table", name),
-            ("at-x", name, self._cell(0, x)),
-            ("at-y", name, self._cell(1, y)),
+            *(("by-cells", name), ("on-table", name)),
+            *(("at-x", name, names[0][x]), ("at-y", name, names[1][y])),
         ]
-        moves = self.moves[name]
         for move in moves:
-            dx, dy, _ = move.cells
-            words = (name, motion_name(move), step_name(0, dx), step_name(1, dy))
+            words = (name, motion_name(move), *(step_name(axis, move.cells[axis]) for axis in (0, 1)))
             if move.kind == "put-down":
                 atoms.append(("lowers", *words))
             else:
                 verb = "lifts" if move.kind == "lift" else "pushes"
                 atoms.append((verb, *words, price_name(move.cost)))
-        position = ", ".join(f"{value:.4f}" for value in item.position)
-        yield Facts(f"{name} lies at ({position}) m at first", tuple(atoms))
+        yield Facts(f"{name} lies at {_metres(item.position)} m at first", tuple(atoms))
         if goal:
-            region = goal_region(item, goal, task.problem.tolerance, self.cells, steps=self.steps)
-            cells = [("goal-cell", name, self._cell(0, x), self._cell(1, y)) for x, y in region.xy]
+            region = goal_region(item, goal, problem.tolerance, self.cells, steps=self.steps)
             heights: list[Atom] = [("goal-on-table", name)] if 0 in region.z else []
             heights += [
                 ("goal-lifted", name, motion_name(move))
                 for move in moves
                 if move.kind == "lift" and move.cells[2] in region.z
             ]
-            position = ", ".join(f"{value:.4f}" for value in goal)
-            yield Facts(f"and shall come to ({position}) m", (*heights, *cells))
-
-    def _cell(self, axis: int, index: int) -> str:
-        return self.grid.cell_name(axis, index)
+            cells = [("goal-cell", name, names[0][x], names[1][y]) for x, y in region.xy]
+            yield Facts(f"and shall come to {_metres(goal)} m", (*heights, *cells))
 
     def _steps(self, axis: int) -> list[int]:
         """Return all steps along an axis, in order."""
@@ -383,24 +320,26 @@ class StripsProblem:
 
     def _sums(self) -> Iterator[Atom]:
         for axis, (letter, *_) in enumerate(_AXES):
+            names = self.grid.cell_names(axis)
             for cells in self._steps(axis):
                 for here, then in self.grid.shifts(axis, cells, self.margin if cells else 0):
-                    yield (
-                        f"{letter}-sum",
-                        step_name(axis, cells),
-                        self._cell(axis, here),
-                        self._cell(axis, then),
-                    )
+                    yield f"{letter}-sum", step_name(axis, cells), names[here], names[then]
+
+
+def _plain(state: PairState) -> str:
+    return state.name.removesuffix(f"-{state.symbol}")
+
+
+def _metres(position: Iterable[float]) -> str:
+    return f"({', '.join(f'{value:.4f}' for value in position)})"
 
 
 def _surest(moves: Sequence[Move]) -> set[str]:
     """Name the operators of moves, of those that lead an object alike only the cheapest."""
-    downs = {move.operator.name: move for move in moves if move.kind == "put-down"}
+    downs = {move.operator.name: move.cells for move in moves if move.kind == "put-down"}
     best = dict[tuple[object, ...], Move]()
     for move in moves:
-        if move.kind != "put-down":
-            down = downs.get(move.operator.name)
-            case = (move.cells, down and down.cells)
-            if case not in best or move.cost < best[case].cost:
-                best[case] = move
+        case = (move.cells, downs.get(move.operator.name))
+        if move.kind != "put-down" and (case not in best or move.cost < best[case].cost):
+            best[case] = move
     return {move.operator.name for move in best.values()}

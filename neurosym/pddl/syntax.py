@@ -16,63 +16,38 @@ Atom = tuple[str, ...]
 Typed = tuple[str, str]
 """A name, and its type."""
 OBJECT = "object"
-TOTAL_COST = "(total-cost)"
+_TOTAL, _BELOW = ("total-cost",), "\n    "
 
 
 @dataclass(frozen=True, slots=True)
 class Action:
-    """A lifted action.
-
-    Attributes:
-        name: What it is called.
-        about: What it does, in a sentence.
-        parameters: Its parameters, each with its type.
-        needs: What must hold.
-        adds: What holds afterwards.
-        deletes: What no longer holds.
-        cost: The function that says what it costs, if it costs anything.
-        tests: What must hold of numbers, as PDDL prints it.
-        changes: What becomes of numbers, as PDDL prints it.
-    """
+    """A lifted action; parameters have their types."""
 
     name: str
-    about: str
+    about: str  # what it does, in a sentence
     parameters: tuple[Typed, ...]
     needs: tuple[Atom, ...]
     adds: tuple[Atom, ...]
     deletes: tuple[Atom, ...] = ()
-    cost: Atom | None = None
-    tests: tuple[str, ...] = ()
-    changes: tuple[str, ...] = ()
+    cost: Atom | None = None  # the function that says what it costs, if it costs anything
+    tests: tuple[str, ...] = ()  # what must hold of numbers, as PDDL prints it
+    changes: tuple[str, ...] = ()  # what becomes of numbers, as PDDL prints it
 
     def text(self, *, costs: bool) -> str:
-        """Print it.
-
-        Args:
-            costs: Whether what it costs is printed, too.
-        """
+        """Print it, with what it costs or without."""
         effects = [*(f"(not {words(atom)})" for atom in self.deletes), *map(words, self.adds), *self.changes]
         if costs and self.cost:
-            effects.append(f"(increase {TOTAL_COST} {words(self.cost)})")
-        return "\n".join(
-            [
-                f"  (:action {self.name} ; {self.about}",
-                f"    :parameters ({declared(self.parameters)})",
-                f"    :precondition (and {' '.join([*map(words, self.needs), *self.tests])})",
-                f"    :effect (and {' '.join(effects)}))",
-            ]
+            effects.append(f"(increase {words(_TOTAL)} {words(self.cost)})")
+        return (
+            f"  (:action {self.name} ; {self.about}\n    :parameters ({_declared(self.parameters)})\n"
+            f"    :precondition (and {' '.join([*map(words, self.needs), *self.tests])})\n"
+            f"    :effect (and {' '.join(effects)}))"
         )
 
 
 @dataclass(frozen=True, slots=True)
 class Predicate:
-    """A predicate.
-
-    Attributes:
-        name: What it is called.
-        parameters: Its parameters, each with its type.
-        about: What it says.
-    """
+    """A predicate or a function: what it is called, its parameters with their types, and what it says."""
 
     name: str
     parameters: tuple[Typed, ...]
@@ -80,34 +55,22 @@ class Predicate:
 
     @property
     def text(self) -> str:
-        """Print it, with what it says behind it."""
-        parameters = declared(self.parameters)
-        return f"    ({' '.join(filter(None, (self.name, parameters)))}) ; {self.about}"
+        """It as it is declared."""
+        return f"({' '.join(filter(None, (self.name, _declared(self.parameters))))})"
 
 
 @dataclass(frozen=True, slots=True)
 class Domain:
-    """A domain.
-
-    Attributes:
-        name: What it is called.
-        head: What it begins with as comments, a line each.
-        types: The types, each with its parent; parents before children.
-        constants: The constants, each with its type.
-        predicates: The predicates.
-        costs: The functions that say what steps cost.
-        actions: The actions.
-        functions: Other functions.
-    """
+    """A domain."""
 
     name: str
-    head: tuple[str, ...]
-    types: tuple[Typed, ...]
+    head: tuple[str, ...]  # what it begins with as comments, a line each
+    types: tuple[Typed, ...]  # each with its parent; parents before children
     constants: tuple[Typed, ...]
     predicates: tuple[Predicate, ...]
-    costs: tuple[Predicate, ...]
+    costs: tuple[Predicate, ...]  # the functions that say what steps cost
     actions: tuple[Action, ...]
-    functions: tuple[Predicate, ...] = ()
+    functions: tuple[Predicate, ...] = ()  # other functions
 
     def action(self, name: str) -> Action:
         """Return the action of a name.
@@ -121,36 +84,28 @@ class Domain:
         return found
 
     def text(self, *, costs: bool = True) -> str:
-        """Print it.
-
-        Args:
-            costs: Whether what steps cost is printed, too.
-        """
-        requirements = ":strips :typing" + " :numeric-fluents" * bool(self.functions)
-        requirements += " :action-costs" * costs
-        blocks = [
-            "\n".join([*(f"; {line}".rstrip() for line in self.head), f"(define (domain {self.name})"]),
-            f"  (:requirements {requirements})",
-            _section("types", self.types),
-            *([f"  (:constants {declared(self.constants)})"] if self.constants else []),
-            "\n".join(["  (:predicates", *(one.text for one in self.predicates), "  )"]),
+        """Print it, with what steps cost or without."""
+        numbers = [words(_TOTAL)] * costs
+        numbers += [one.text for one in (*self.functions, *(self.costs if costs else ()))]
+        more = " :numeric-fluents" * bool(self.functions) + " :action-costs" * costs
+        lines = [
+            *(f"; {line}".rstrip() for line in self.head),
+            f"(define (domain {self.name})",
+            f"  (:requirements :strips :typing{more})",
+            f"  (:types\n    {_declared(self.types, _BELOW)})",
+            *([f"  (:constants {_declared(self.constants)})"] if self.constants else []),
+            "  (:predicates",
+            *(f"    {one.text} ; {one.about}" for one in self.predicates),
+            "  )",
+            *([f"  (:functions {' '.join(f'{one} - number' for one in numbers)})"] if numbers else []),
+            *(action.text(costs=costs) for action in self.actions),
         ]
-        functions = [*self.functions, *(self.costs if costs else ())]
-        printed = [f"({one.name} {declared(one.parameters)}) - number" for one in functions]
-        if printed := [*([f"{TOTAL_COST} - number"] if costs else []), *printed]:
-            blocks.append(f"  (:functions {' '.join(printed)})")
-        blocks += [action.text(costs=costs) for action in self.actions]
-        return "\n".join(blocks) + ")\n"
+        return "\n".join(lines) + ")\n"
 
 
 @dataclass(frozen=True, slots=True)
 class Facts:
-    """Facts of a problem that belong together.
-
-    Attributes:
-        about: What they say, as a comment; none if empty.
-        atoms: The facts.
-    """
+    """Facts of a problem that belong together, and what they say as a comment; none if empty."""
 
     about: str
     atoms: tuple[Atom, ...]
@@ -158,29 +113,17 @@ class Facts:
 
 @dataclass(frozen=True, slots=True)
 class PddlProblem:
-    """A problem.
-
-    Attributes:
-        name: What it is called.
-        domain: Name of its domain.
-        head: What it begins with as comments, a line each.
-        objects: The objects, each with its type.
-        facts: What holds at the start.
-        costs: What steps cost.
-        goals: What shall hold.
-        values: The values of other functions at the start.
-        tests: What shall hold of numbers, as PDDL prints it.
-    """
+    """A problem."""
 
     name: str
     domain: str
-    head: tuple[str, ...]
+    head: tuple[str, ...]  # what it begins with as comments, a line each
     objects: tuple[Typed, ...]
-    facts: tuple[Facts, ...]
-    costs: Mapping[Atom, int]
+    facts: tuple[Facts, ...]  # what holds at the start
+    costs: Mapping[Atom, int]  # what steps cost
     goals: tuple[Atom, ...]
-    values: Mapping[Atom, int] = field(default_factory=dict)
-    tests: tuple[str, ...] = ()
+    values: Mapping[Atom, int] = field(default_factory=dict)  # of other functions at the start
+    tests: tuple[str, ...] = ()  # what shall hold of numbers, as PDDL prints it
 
     @property
     def atoms(self) -> frozenset[Atom]:
@@ -188,30 +131,20 @@ class PddlProblem:
         return frozenset(atom for facts in self.facts for atom in facts.atoms)
 
     def text(self, *, costs: bool = True) -> str:
-        """Print it.
-
-        Args:
-            costs: Whether what steps cost is printed, too.
-        """
-        lines = [f"; {line}".rstrip() for line in self.head]
-        lines += [f"(define (problem {self.name})", f"  (:domain {self.domain})"]
-        lines += [_section("objects", self.objects), "  (:init"]
+        """Print it, with what steps cost or without."""
+        lines = [*(f"; {line}".rstrip() for line in self.head), f"(define (problem {self.name})"]
+        lines += [f"  (:domain {self.domain})", f"  (:objects\n    {_declared(self.objects, _BELOW)})"]
+        lines += ["  (:init"]
         for facts in self.facts:
             lines += [f"    ; {facts.about}"] if facts.about else []
-            for _, row in groupby(facts.atoms, key=lambda atom: atom[1:2]):
-                lines.append(f"    {' '.join(map(words, row))}")
-        for _, valued in groupby(self.values.items(), key=lambda one: one[0][1]):
-            lines.append("    " + " ".join(_equal(atom, value) for atom, value in valued))
-        if costs:
-            values = [f"(= {TOTAL_COST} 0)", *(_equal(atom, value) for atom, value in self.costs.items())]
-            lines.append("    " + " ".join(values))
+            rows = groupby(facts.atoms, key=lambda atom: atom[1:2])
+            lines += [f"    {' '.join(map(words, row))}" for _, row in rows]
+        tables = [dict(row) for _, row in groupby(self.values.items(), key=lambda one: one[0][1])]
+        for table in (*tables, *([{_TOTAL: 0, **self.costs}] if costs else [])):
+            lines.append("    " + " ".join(f"(= {words(atom)} {value})" for atom, value in table.items()))
         lines += ["  )", f"  (:goal (and {' '.join([*map(words, self.goals), *self.tests])}))"]
-        lines += [f"  (:metric minimize {TOTAL_COST})"] * costs
+        lines += [f"  (:metric minimize {words(_TOTAL)})"] * costs
         return "\n".join(lines) + ")\n"
-
-
-def _equal(atom: Atom, value: int) -> str:
-    return f"(= {words(atom)} {value})"
 
 
 def words(atom: Atom) -> str:
@@ -219,64 +152,42 @@ def words(atom: Atom) -> str:
     return f"({' '.join(atom)})"
 
 
-def declared(names: Iterable[Typed]) -> str:
-    """Print names with their types, those of one type that follow each other together."""
+def _declared(names: Iterable[Typed], between: str = " ") -> str:
+    """Print names with their types, those of one type that follow each other in a row."""
     rows = groupby(names, key=lambda one: one[1])
-    return " ".join(f"{' '.join(name for name, _ in row)} - {kind}" for kind, row in rows)
-
-
-def _section(title: str, names: Sequence[Typed]) -> str:
-    rows = groupby(names, key=lambda one: one[1])
-    lines = [f"    {' '.join(name for name, _ in row)} - {kind}" for kind, row in rows]
-    return "\n".join([f"  (:{title}", *lines]) + ")"
+    return between.join(f"{' '.join(name for name, _ in row)} - {kind}" for kind, row in rows)
 
 
 @dataclass(slots=True)
 class Course:
-    """What holds while the ground actions of a plan are taken, one after another.
-
-    Attributes:
-        domain: The domain.
-        holds: The facts that hold now.
-    """
+    """What holds while the ground actions of a plan are taken, one after another."""
 
     domain: Domain
-    holds: set[Atom] = field(default_factory=set)
+    holds: set[Atom]
 
     def take(self, name: str, arguments: Sequence[str]) -> None:
         """Take a ground action.
-
-        Args:
-            name: Name of the action.
-            arguments: What its parameters stand for.
 
         Raises:
             UnknownChoice: If the domain has no such action.
             InvalidValue: If it has more or fewer parameters, or something does not hold that it needs.
         """
         action = self.domain.action(name)
-        if len(arguments) != len(action.parameters):
-            wanted = " ".join([name, *(parameter for parameter, _ in action.parameters)])
+        parameters = [parameter for parameter, _ in action.parameters]
+        if len(arguments) != len(parameters):
             told = counted(len(arguments), "argument")
-            raise InvalidValue(f"it has {told}; valid: ({wanted})")
-        given = {
-            parameter: argument for (parameter, _), argument in zip(action.parameters, arguments, strict=True)
-        }
-        missing = next((atom for atom in ground(action.needs, given) if atom not in self.holds), None)
-        if missing:
-            raise InvalidValue(f"{words(missing)} does not hold there{self._instead(missing)}")
-        self.holds.difference_update(ground(action.deletes, given))
-        self.holds.update(ground(action.adds, given))
-
-    def _instead(self, missing: Atom) -> str:
-        """Say what holds in the place of an atom, where one thing does."""
-        alike = sorted(atom for atom in self.holds if atom[:2] == missing[:2])
-        return f"; what holds is {words(alike[0])}" if len(alike) == 1 else ""
-
-
-def ground(atoms: Iterable[Atom], given: Mapping[str, str]) -> list[Atom]:
-    """Put arguments in the place of parameters."""
-    return [tuple([given.get(word, word) for word in atom]) for atom in atoms]
+            raise InvalidValue(f"it has {told}; valid: {words((name, *parameters))}")
+        given = dict(zip(parameters, arguments, strict=True))
+        needs, deletes, adds = (
+            [tuple([given.get(word, word) for word in atom]) for atom in atoms]
+            for atoms in (action.needs, action.deletes, action.adds)
+        )
+        if missing := next((atom for atom in needs if atom not in self.holds), None):
+            alike = [atom for atom in self.holds if atom[:2] == missing[:2]]
+            instead = f"; what holds is {words(alike[0])}" if len(alike) == 1 else ""
+            raise InvalidValue(f"{words(missing)} does not hold there{instead}")
+        self.holds.difference_update(deletes)
+        self.holds.update(adds)
 
 
 # The encodings of a domain, by name
@@ -293,8 +204,6 @@ ENCODINGS: tuple[EncodingName, ...] = (STRIPS, NUMERIC)
 """Those that are printed."""
 DURATIVE = "durative"
 """Objects are carried by actions that take time; no command plans in it."""
-FORMER = ("stepwise", "operators", "places", "relational", "relational-lifted")
-"""What earlier versions had in the place of `strips`."""
 
 
 def domain_name(grounding: Grounding, encoding: str) -> str:

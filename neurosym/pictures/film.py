@@ -17,19 +17,24 @@ from neurosym.execution.performance import nudged, perform
 from neurosym.execution.record import Run, StepRecord
 from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Categorise
+from neurosym.operators import TOLERANCE, Categorise, Operator
 from neurosym.pictures.motions import Motion, operator_motions, operators_of
 from neurosym.problems import Problem
 from neurosym.world import Frame, FrameSink, Outcome, Pictured, Scene, World
 
 _GIF_SIZE = (480, 360)
-_FRAME_MILLISECONDS = 50
-_PAUSE_MILLISECONDS = 1500
+_FRAME_MILLISECONDS, _PAUSE_MILLISECONDS = 50, 1500
 STRIP_SIZE = (640, 480)
+"""Size of each picture of a row [pixels]."""
 _CAPTION, _GAP = 34, 8
-_TEXT = 18
-_GIF_TEXT = 14
+_TEXT, _GIF_TEXT = 18, 14
 _PALETTE_SAMPLES = 6
+_BEFORE = "start"
+"""The phase in which everything comes to rest and the hand is not yet where the motion starts."""
+_WINDOW_PAUSE = 2.0  # how long a window shows how a motion ended [s]
+_SAME = 0.001
+"""How near every object must end to where it ended before, for a run to have gone the same way again [m]."""
+_T = TypeVar("_T")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,11 +51,6 @@ class Row:
     frames: tuple[Frame, ...]
     captions: tuple[str, ...]
 
-    @property
-    def height(self) -> int:
-        """How much of a sheet it takes [pixels]."""
-        return STRIP_SIZE[1] + _CAPTION * (2 if self.title else 1)
-
 
 def _shrink(frame: Frame) -> UInt8[np.ndarray, "strip_height strip_width 3"]:
     """Bring a picture to the size that it has in a strip, smoothly."""
@@ -59,63 +59,41 @@ def _shrink(frame: Frame) -> UInt8[np.ndarray, "strip_height strip_width 3"]:
 
 def save_gif(path: Path, frames: Sequence[Frame], captions: Sequence[str] = ()) -> None:
     """Write one or more pictures as a GIF that pauses on the last, each with a line at its foot if given."""
-    lines = captions or [""] * len(frames)
-    images = _with_one_palette([_gif_image(*pair) for pair in zip(frames, lines, strict=True)])
+    middle, font = (_GIF_SIZE[0] / 2, _GIF_SIZE[1] - _GIF_TEXT), ImageFont.load_default(size=_GIF_TEXT)
+    images = [Image.fromarray(frame).resize(_GIF_SIZE, Image.Resampling.LANCZOS) for frame in frames]
+    for image, line in zip(images, captions, strict=False):
+        draw = ImageDraw.Draw(image)
+        draw.text(middle, line, fill="black", font=font, anchor="mm", stroke_width=2, stroke_fill="white")
+    # all share 256 colours, among them those of small things like dots
+    samples = images[:: max(1, len(images) // _PALETTE_SAMPLES)]
+    together = Image.fromarray(np.vstack([np.asarray(image) for image in samples]))
+    palette = together.quantize(256, method=Image.Quantize.FASTOCTREE)
+    images = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
     durations = [_FRAME_MILLISECONDS] * (len(images) - 1) + [_PAUSE_MILLISECONDS]
     buffer = io.BytesIO()
     images[0].save(buffer, "GIF", save_all=True, append_images=images[1:], duration=durations, loop=0)
     write_atomically(path, buffer.getvalue())
 
 
-def _with_one_palette(images: Sequence[Image.Image]) -> list[Image.Image]:
-    """Reduce images to 256 colours that they share, among them those of small things like dots."""
-    samples = images[:: max(1, len(images) // _PALETTE_SAMPLES)]
-    together = Image.fromarray(np.vstack([np.asarray(image) for image in samples]))
-    palette = together.quantize(256, method=Image.Quantize.FASTOCTREE)
-    return [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
-
-
 def save_sheet(path: Path, rows: Sequence[Row]) -> None:
     """Write rows of pictures one below the other, as a PNG."""
-    width = STRIP_SIZE[0] * max(len(row.frames) for row in rows)
-    sheet = Image.new("RGB", (width, sum(row.height + _GAP for row in rows) - _GAP), "white")
-    top = 0
-    for row in rows:
-        _paste(sheet, row, top)
-        top += row.height + _GAP
+    (width, height), font = STRIP_SIZE, ImageFont.load_default(size=_TEXT)
+    heights = [height + _CAPTION * (2 if row.title else 1) for row in rows]
+    columns = max(len(row.frames) for row in rows)
+    sheet = Image.new("RGB", (width * columns, sum(heights) + _GAP * (len(rows) - 1)), "white")
+    draw, top = ImageDraw.Draw(sheet), 0
+    for row, taken in zip(rows, heights, strict=True):
+        foot = top + taken - _CAPTION
+        if row.title:
+            draw.text((_CAPTION / 3, top + _CAPTION / 2), row.title, fill="black", font=font, anchor="lm")
+        for index, (frame, caption) in enumerate(zip(row.frames, row.captions, strict=True)):
+            sheet.paste(Image.fromarray(_shrink(frame)), (index * width, foot - height))
+            middle = (index * width + width / 2, foot + _CAPTION / 2)
+            draw.text(middle, caption, fill="black", font=font, anchor="mm")
+        top += taken + _GAP
     buffer = io.BytesIO()
     sheet.save(buffer, "PNG", optimize=True)
     write_atomically(path, buffer.getvalue())
-
-
-def _paste(sheet: Image.Image, row: Row, top: int) -> None:
-    width, height = STRIP_SIZE
-    draw = ImageDraw.Draw(sheet)
-    font = ImageFont.load_default(size=_TEXT)
-    if row.title:
-        draw.text((_CAPTION / 3, top + _CAPTION / 2), row.title, fill="black", font=font, anchor="lm")
-        top += _CAPTION
-    for index, (frame, caption) in enumerate(zip(row.frames, row.captions, strict=True)):
-        sheet.paste(Image.fromarray(_shrink(frame)), (index * width, top))
-        middle = (index * width + width / 2, top + height + _CAPTION / 2)
-        draw.text(middle, caption, fill="black", font=font, anchor="mm")
-
-
-def _gif_image(frame: Frame, caption: str) -> Image.Image:
-    image = Image.fromarray(frame).resize(_GIF_SIZE, Image.Resampling.LANCZOS)
-    if caption:
-        place = (_GIF_SIZE[0] / 2, _GIF_SIZE[1] - _GIF_TEXT)
-        font = ImageFont.load_default(size=_GIF_TEXT)
-        draw = ImageDraw.Draw(image)
-        draw.text(place, caption, fill="black", font=font, anchor="mm", stroke_width=2, stroke_fill="white")
-    return image
-
-
-T = TypeVar("T")
-_BEFORE = "start"
-"""The phase in which everything comes to rest and the hand is not yet where the motion starts."""
-_WINDOW_PAUSE = 2.0
-"""How long a window shows how a motion ended [s]."""
 
 
 @runtime_checkable
@@ -140,15 +118,13 @@ class Windowed(Protocol):
 
 
 def _sparing(
-    world: World, attempt: Callable[[FrameSink], T], chosen: Callable[[Sequence[str]], Sequence[int]]
-) -> tuple[T, tuple[tuple[Frame, str], ...]]:
-    """Perform something, and keep only some of its pictures.
+    world: World, attempt: Callable[[FrameSink], _T], chosen: Callable[[Sequence[str]], Sequence[int]]
+) -> tuple[_T, tuple[Frame, ...], tuple[str, ...]]:
+    """Perform something, and return what came of it and some of its pictures, with the phase of each.
 
-    A world that is `Sparing` performs it twice, first to tell when the phases end and then drawing only
-    these few pictures: the same interaction has the same phases again.
-
-    `chosen` numbers the pictures to be kept, from the phase of each. Returned are what came of it, and each
-    picture with its phase.
+    `chosen` numbers those, from the phases of all. A world that is `Sparing` performs it twice, first to tell
+    when the phases end and then drawing only these few pictures: the same interaction has the same phases
+    again.
     """
     pictures: list[tuple[Frame, str]] = []
 
@@ -164,7 +140,9 @@ def _sparing(
     if isinstance(world, Sparing):
         world.wanted_pictures = None
     _check_drawn(world, len(pictures))
-    return found, tuple(pictures[number] for number in chosen([phase for _, phase in pictures]))
+    frames, phases = zip(*pictures, strict=True)
+    numbers = chosen(phases)
+    return found, tuple(frames[number] for number in numbers), tuple(phases[number] for number in numbers)
 
 
 def _check_drawn(world: World, pictures: int) -> None:
@@ -172,11 +150,15 @@ def _check_drawn(world: World, pictures: int) -> None:
         raise InvalidValue(f"The {world.name} world draws no pictures of motions; have it call `on_frame`.")
 
 
-def telling(phases: Sequence[str]) -> tuple[int, ...]:
-    """Number those of pictures with such phases that tell what happened.
+def _check_pictured(world: World) -> Pictured:
+    """Return a world as one that draws pictures, or raise `InvalidValue`."""
+    if not isinstance(world, Pictured):
+        raise InvalidValue(f"The {world.name} world draws no pictures; give it a method `picture`.")
+    return world
 
-    That is the first with the hand in place, and the last of each phase.
-    """
+
+def telling(phases: Sequence[str]) -> tuple[int, ...]:
+    """Number the pictures that tell most: the first with the hand in place, and the last of each phase."""
     shown = [number for number, phase in enumerate(phases) if phase != _BEFORE] or [0]
     last = {phases[number]: number for number in shown}
     return (shown[0], *last.values())
@@ -212,14 +194,14 @@ def _ends_in_the_air(record: StepRecord, problem: Problem) -> bool:
 
 
 class Film:
-    """The pictures of a run, and where its steps end."""
+    """The pictures of a run while it happens, and where its steps end."""
 
     def __init__(self, world: World, problem: Problem):
         self._problem = problem
-        self._start = (
-            world.picture(problem.scene(), problem.goal_positions()) if isinstance(world, Pictured) else None
-        )
         self._frames: list[Frame] = []
+        self._start = (
+            [world.picture(problem.scene(), problem.goal_positions())] if isinstance(world, Pictured) else []
+        )
         self._ends: list[tuple[int, str]] = []
 
     def add_frame(self, frame: Frame, phase: str) -> None:  # noqa: ARG002 (a `FrameSink`)
@@ -239,7 +221,7 @@ class Film:
         if strip:
             captions = [f"{self._problem.name}: start", *(caption for _, caption in self._ends)]
             captions[-1] += ", goal reached" if run.reached else ", goal missed"
-            start = self._frames[0] if self._start is None else self._start
+            start = (self._start or self._frames)[0]
             frames = (start, *(self._frames[end] for end, _ in self._ends))
             save_sheet(strip, [Row("", frames, tuple(captions))])
         return True
@@ -252,25 +234,25 @@ def picture_motions(world: World, motions: Sequence[Motion], path: Path) -> tupl
         filmed = [film_row(world, motion) for motion in motions]
         save_sheet(path, [row for row, _ in filmed])
         return tuple(outcome for _, outcome in filmed)
-    pictures, outcomes = list[tuple[Frame, str]](), list[Outcome]()
+    frames, captions, outcomes = list[Frame](), list[str](), list[Outcome]()
     for motion in motions:
-        begun = len(pictures)
+        begun = len(frames)
 
         def keep(frame: Frame, phase: str, title: str = motion.title) -> None:
             if phase != _BEFORE:
-                pictures.append((_shrink(frame), f"{title}: {phase}"))
+                frames.append(_shrink(frame))
+                captions.append(f"{title}: {phase}")
 
         outcomes.append(motion.perform(world, keep))
-        _check_drawn(world, len(pictures) - begun)
-    save_gif(path, [frame for frame, _ in pictures], [caption for _, caption in pictures])
+        _check_drawn(world, len(frames) - begun)
+    save_gif(path, frames, captions)
     return tuple(outcomes)
 
 
 def film_row(world: World, motion: Motion) -> tuple[Row, Outcome]:
     """Perform a motion, and keep the start and the end of each phase as a row; say what it did, too."""
-    outcome, pictures = _sparing(world, lambda keep: motion.perform(world, keep), telling)
-    phases = (_BEFORE, *(phase for _, phase in pictures[1:]))
-    return Row(f"{motion.title}: {tell(outcome)}", tuple(frame for frame, _ in pictures), phases), outcome
+    outcome, frames, phases = _sparing(world, lambda keep: motion.perform(world, keep), telling)
+    return Row(f"{motion.title}: {tell(outcome)}", frames, (_BEFORE, *phases[1:])), outcome
 
 
 def tell(outcome: Outcome) -> str:
@@ -298,25 +280,12 @@ def picture_problem(world: World, problem: Problem, path: Path) -> None:
         save_sheet(path, [Row("", (frame,), (f"{problem.name}: start, and its goals transparently",))])
 
 
-def _check_pictured(world: World) -> Pictured:
-    """Return a world as one that draws pictures, or raise `InvalidValue`."""
-    if not isinstance(world, Pictured):
-        raise InvalidValue(f"The {world.name} world draws no pictures; give it a method `picture`.")
-    return world
-
-
-# Stills: the few pictures that tell what a primitive or a run does, as in the paper's Figures 3 and 4
-
-_SAME = 0.001
-"""How near every object must end to where it ended before, for a run to have gone the same way again [m]."""
-
-
 def motion_stills(
     world: World, grounding: Grounding, name: str, categorise: Categorise, *, objects: int, seed: int
 ) -> Row:
-    """Perform an operator as it promises, or a primitive as it mostly turns out.
+    """Perform an operator as it promises, or a primitive on what it serves most objects of.
 
-    Kept are the start and the end of each phase.
+    Kept are the start and the end of each phase, as in the paper's Figure 3.
 
     Args:
         world: The world to act in.
@@ -330,28 +299,17 @@ def motion_stills(
         UnknownChoice: If there is no such primitive or operator.
         InvalidValue: If there is no object to perform it on, or the world draws no pictures.
     """
-    weights, operators = _weights(grounding), [one for one in grounding.every_operator if one.name == name]
-    for operator in operators or sorted(
-        operators_of(grounding, name), key=lambda operator: weights[operator.name], reverse=True
-    ):
+
+    def served(operator: Operator) -> float:
+        share = grounding.category(operator.category).share
+        return -share * operator.successes / max(1, operator.trials)
+
+    operators = [one for one in grounding.every_operator if one.name == name]
+    for operator in operators or sorted(operators_of(grounding, name), key=served):
         motions = operator_motions(world, grounding, (operator,), categorise, objects=objects, seed=seed)
         if motions:
             return film_row(world, motions[0])[0]
     raise InvalidValue(f"Rehearsal sampled no object that {name} was tried on.")
-
-
-def _weights(grounding: Grounding) -> dict[str, tuple[float, float]]:
-    """Say for which share of objects a symbol's operators of the same verb keep promises, and each alone."""
-    categories = {category.symbol: category for category in grounding.operators.categories}
-    kept: dict[str, tuple[str, float]] = {}
-    by_verb: dict[str, float] = {}
-    for operator in grounding.operators.operators:
-        category = categories[operator.category]
-        verb = operator.name.removesuffix(f"-{operator.label}-{category.name}")
-        share = category.share * operator.successes / max(1, operator.trials)
-        kept[operator.name] = (f"{verb}-{operator.primitive}", share)
-        by_verb[kept[operator.name][0]] = by_verb.get(kept[operator.name][0], 0.0) + share
-    return {name: (by_verb[verb], share) for name, (verb, share) in kept.items()}
 
 
 def run_stills(world: World, grounding: Grounding, problem: Problem, run: Run) -> Row:
@@ -383,7 +341,12 @@ def run_stills(world: World, grounding: Grounding, problem: Problem, run: Run) -
             captions[-1] += f"; then {nudge.object} was nudged"
         ghostly = msgspec.structs.replace(problem, goals=start if number == len(performed) else {})
         frame, scene = _perform(world, ghostly, grounding, record, scene)
-        _check_same(problem, record, scene, number)
+        recorded = np.array([record.positions[name] for name in problem.object_names])
+        if np.abs(scene.positions - recorded).max() > _SAME:
+            raise InvalidValue(
+                f"Step {number} of the run of {problem.name} goes another way this time: the domain, the "
+                "world or the computer is not the one that it was recorded with."
+            )
         frames.append(frame)
         captions.append(f"{number}. {_caption_of(record, problem)}")
     reached = f"goal {'reached' if run.reached else 'missed'}"
@@ -396,20 +359,11 @@ def _perform(
     world: World, problem: Problem, grounding: Grounding, record: StepRecord, scene: Scene
 ) -> tuple[Frame, Scene]:
     """Perform a step again, and return its last picture and where everything is then."""
-    step, put_down = record.step, not _ends_in_the_air(record, problem)
+    put_down = not _ends_in_the_air(record, problem)
 
     def attempt(keep: FrameSink) -> Outcome | None:
         aim = record.reference
-        return perform(world, problem, grounding, step, scene, put_down, keep, reference=aim)
+        return perform(world, problem, grounding, record.step, scene, put_down, keep, reference=aim)
 
-    outcome, ((frame, _),) = _sparing(world, attempt, lambda phases: (len(phases) - 1,))
+    outcome, (frame,), _ = _sparing(world, attempt, lambda phases: (len(phases) - 1,))
     return frame, outcome.end if outcome else scene
-
-
-def _check_same(problem: Problem, record: StepRecord, scene: Scene, number: int) -> None:
-    recorded = [record.positions[name] for name in problem.object_names]
-    if np.abs(scene.positions - np.array(recorded)).max() > _SAME:
-        raise InvalidValue(
-            f"Step {number} of the run of {problem.name} goes another way this time: the domain, the world "
-            "or the computer is not the one that it was recorded with."
-        )

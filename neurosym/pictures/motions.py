@@ -19,10 +19,8 @@ from neurosym.tasks.supports import PairSight, nearest_kinds
 from neurosym.world import FrameSink, OtherObject, Outcome, Reference, Scene, World, relative_to
 from neurosym.worlds.aims import Aimed, AimedScene
 
-_TRIES = 5
-"""Sampled objects of a category, or pairs of a kind, that are tried until one does as promised."""
-_DRAWS = 300
-"""How many scenes of two objects are drawn to find such pairs."""
+_TRIES = 5  # sampled objects of a category, or pairs of a kind, that are tried until one does as promised
+_DRAWS = 300  # how many scenes of two objects are drawn to find such pairs
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,34 +59,25 @@ def recall_interaction(world: World, interactions: Interactions, number: int) ->
     Raises:
         InvalidValue: If there is no such row, or it is of another world.
     """
-    if not 0 <= number < len(interactions):
-        raise InvalidValue(
-            f"There is no interaction {number}; the data have {len(interactions)} rows, "
-            f"0 to {len(interactions) - 1}."
-        )
-    features = interactions.features[number]
+    count = len(interactions)
+    if not 0 <= number < count:
+        raise InvalidValue(f"There is no interaction {number}; the data have {count} rows, 0 to {count - 1}.")
+    features, action = interactions.features[number], interactions.actions[number]
     sizes = len(world.feature_names), len(world.action_box.low)
-    if (found := (len(features), interactions.actions.shape[1])) != sizes:
+    if (found := (len(features), len(action))) != sizes:
         raise InvalidValue(
             f"The data have {found[0]} features and {found[1]} action parameters; "
             f"the {world.name} world takes {sizes[0]} and {sizes[1]}."
         )
-    seed, scene, is_same = interactions.origin.get("seed"), _middle_scene(world, features), False
+    seed, title = interactions.origin.get("seed"), f"interaction {number}"
     if isinstance(seed, int) and seed >= 0:
         drawn = world.sample_scene(np.random.default_rng([seed, number]), 1)
-        is_same = drawn.features[0].astype(np.float32).tobytes() == features.tobytes()
-        scene = drawn if is_same else scene
-    return Motion(f"interaction {number}", scene, interactions.actions[number]), is_same
-
-
-def _middle_scene(world: World, features: Float[np.ndarray, "F"]) -> Scene:
-    """Put an object in the middle of the table; its third feature is its height."""
-    table = world.table
-    return Scene(
-        features=features[None].astype(float),
-        positions=np.array([[sum(table.x) / 2, sum(table.y) / 2, features[2] / 2]]),
-        orientations=np.array([[0.0, 0.0, 0.0, 1.0]]),
-    )
+        if drawn.features[0].astype(np.float32).tobytes() == features.tobytes():
+            return Motion(title, drawn, action), True
+    x, y = (sum(ends) / 2 for ends in (world.table.x, world.table.y))
+    middle = np.array([[x, y, features[2] / 2]])  # its third feature is its height
+    upright = np.array([[0.0, 0.0, 0.0, 1.0]])
+    return Motion(title, Scene(features[None].astype(float), middle, upright), action), False
 
 
 def judge(interactions: Interactions, number: int, outcome: Outcome, is_same_scene: bool) -> str:
@@ -104,18 +93,11 @@ def judge(interactions: Interactions, number: int, outcome: Outcome, is_same_sce
 
 
 def operators_of(grounding: Grounding, label: str) -> tuple[Operator, ...]:
-    """Name what a primitive does that the domain promises, or all that it was tried for if that is nothing.
-
-    An action symbol stands for all of its actions, a label for one.
-    """
+    """Name what a symbol, or one action of it, does that the domain promises, or all it was tried for."""
     symbol = grounding.primitive(label).symbol
-    operators = tuple(
-        operator
-        for operator in grounding.operators.operators
-        if operator.primitive == symbol and label in (symbol, operator.label)
-    )
-    promised = tuple(operator for operator in operators if grounding.why_left_out(operator) is None)
-    return promised or operators
+    every = grounding.operators.operators
+    tried = tuple(one for one in every if one.primitive == symbol and label in (symbol, one.label))
+    return tuple(one for one in tried if grounding.why_left_out(one) is None) or tried
 
 
 def operator_motions(
@@ -189,19 +171,17 @@ def pair_motion(
 
 
 def surest_carriers(grounding: Grounding) -> tuple[Operator, ...]:
-    """Name for each category what carries its objects to places most surely, and then most exactly.
+    """Name for each category what carries most of it to places, most surely and then most exactly."""
 
-    A category of which most cannot be carried has none.
-    """
-    best: dict[Symbol, tuple[float, float, Operator]] = {}
-    for operator in grounding.carriers:
-        if operator.promise is None or 2 * operator.successes < operator.trials:
-            continue
-        spread = math.hypot(*operator.promise.resting_spread[:2])
-        found = (operator.successes / operator.trials, -spread, operator)
-        if operator.category not in best or found[:2] > best[operator.category][:2]:
-            best[operator.category] = found
-    return tuple(best[symbol][2] for symbol in sorted(best))
+    def rank(operator: Operator) -> tuple[Symbol, float, float]:
+        spread = math.hypot(*operator.promise.resting_spread[:2]) if operator.promise else math.inf
+        return operator.category, -operator.successes / operator.trials, spread
+
+    best: dict[Symbol, Operator] = {}
+    for operator in sorted(grounding.carriers, key=rank):
+        if 2 * operator.successes >= operator.trials:
+            best.setdefault(operator.category, operator)
+    return tuple(best.values())
 
 
 def _as_promised(world: World, motions: Iterable[Motion], keeps: Callable[[Outcome], bool]) -> list[Motion]:

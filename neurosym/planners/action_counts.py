@@ -7,12 +7,11 @@ looking ends somewhere: `looked_at` says where.
 
 The shortest ways of each object are listed so, and joined by conflict-based search: objects that would end in
 each other, or in one that stands there, get their next way; at most one ends held, and comes last. The first
-join whose steps have an order that works has provably the fewest primitives, and costs the least among those.
+join whose steps have an order that works has the fewest primitives, and costs the least among those.
 """
 
 import heapq
 import math
-from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
@@ -46,7 +45,12 @@ GAIN = 0.005
 
 
 def plan_counting(
-    problem: Problem, grounding: Grounding, *, time_limit: float = math.inf, work: int = MOST_WORK
+    problem: Problem,
+    grounding: Grounding,
+    *,
+    time_limit: float = math.inf,
+    work: int = MOST_WORK,
+    goes_near: bool = False,
 ) -> PlanResult:
     """Find a plan with the fewest primitives, and among those the cheapest.
 
@@ -55,75 +59,24 @@ def plan_counting(
         grounding: The learned domain.
         time_limit: The user's ceiling [s].
         work: How much is looked at.
-
-    Raises:
-        UnknownChoice: If an object is of a category that the domain does not have.
-    """
-    return within(time_limit, lambda deadline: _joined(_Join(problem, grounding, Effort(work, deadline))))
-
-
-def plan_nearest(problem: Problem, grounding: Grounding, *, time_limit: float = math.inf) -> PlanResult:
-    """Plan to the goals, where they can be reached, and else as near to them as objects come.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-        time_limit: The user's ceiling [s].
-
-    Returns:
-        A plan that is solved, or nearest and says how far objects stay from their goals.
-
-    Raises:
-        UnknownChoice: If an object is of a category that the domain does not have.
+        goes_near: Whether to plan as near to goals that cannot be reached as objects come; such a plan is
+            nearest, and says how far objects stay from their goals.
     """
 
     def search(deadline: float) -> PlanResult:
-        found = _joined(_Join(problem, grounding, Effort(MOST_WORK, deadline), goes_near=True))
-        reason = found.reason if found.has_plan else f"no plan to the nearest point: {found.reason}"
-        return replace(found, reason=reason)
+        join = _Join(problem, grounding, Effort(work, deadline), goes_near=goes_near)
+        missed = ""
+        for steps in join.plans():
+            ordered, checked = mend(steps, problem, grounding, join.effort)
+            if checked.valid or (goes_near and checked.possible):
+                status = PlanStatus.SOLVED if checked.valid else PlanStatus.NEAREST
+                reason = "" if checked.valid else _misses(problem, checked.positions[-1])
+                return PlanResult(status, ordered, 0.0, reason, work=PLACE * join.effort.spent)
+            missed = f"; the last that was tried: {checked.reason}"
+        reason = join.why_none() + missed
+        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason, work=PLACE * join.effort.spent)
 
     return within(time_limit, search)
-
-
-def fewest_steps(problem: Problem, grounding: Grounding) -> int | None:
-    """Return the fewest primitives that can solve a problem, put-downs not counted; None if none are found.
-
-    Each object stays on the table, and at most one ends held. No plan that replays well has fewer; where
-    objects stand in each other's way it may need more.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-
-    Raises:
-        UnknownChoice: If an object is of a category that the domain does not have.
-    """
-    join = _Join(problem, grounding, Effort(MOST_WORK))
-    saved, total, must_be_held = [0], 0, 0
-    for name in problem.goals:
-        free, resting = join.candidate(name, False, 0), join.candidate(name, True, 0)
-        if free is None:
-            return None
-        if resting is None:
-            must_be_held += 1
-        else:
-            saved.append(len(resting.moves) - len(free.moves))
-        total += len((resting or free).moves)
-    if must_be_held > 1:
-        return None
-    return total - (0 if must_be_held else max(saved))
-
-
-def _joined(join: "_Join") -> PlanResult:
-    """Return the first join whose steps have an order that works, be it only to the nearest points."""
-    for steps in join.plans():
-        ordered, checked = mend(steps, join.problem, join.grounding, join.effort)
-        if checked.valid or (join.goes_near and checked.possible):
-            status = PlanStatus.SOLVED if checked.valid else PlanStatus.NEAREST
-            reason = "" if checked.valid else _misses(join.problem, checked.positions[-1])
-            return PlanResult(status, ordered, 0.0, reason, work=PLACE * join.effort.spent)
-        join.missed = checked.reason
-    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, join.why_none(), work=PLACE * join.effort.spent)
 
 
 def _misses(problem: Problem, ends: Float[np.ndarray, "M 3"]) -> str:
@@ -136,26 +89,16 @@ def _misses(problem: Problem, ends: Float[np.ndarray, "M 3"]) -> str:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Choices:
-    """The k moves that one object can make, where it stands, and where it may.
+    """The k moves that one object can make, where it stands, and where it may."""
 
-    Attributes:
-        settled: Displacement by each move once the hand is empty again [m].
-        lifted: Displacement at the end of the rise [m].
-        held: Whether the object is held then.
-        costs: What each move costs.
-        start: Centre of the object [m].
-        room: Least and greatest x and y that its centre may have [m].
-        operators: Name of the operator of each move.
-        dead: Count vectors known to have no order that stays in the room.
-    """
-
-    settled: Float[np.ndarray, "k 3"]
-    lifted: Float[np.ndarray, "k 3"]
-    held: Bool[np.ndarray, " k"]
-    costs: Int[np.ndarray, " k"]
-    start: Float[np.ndarray, "3"]
-    room: Float[np.ndarray, "2 2"]
-    operators: tuple[str, ...] = ()
+    settled: Float[np.ndarray, "k 3"]  # displacement by each move once the hand is empty again [m]
+    lifted: Float[np.ndarray, "k 3"]  # displacement at the end of the rise [m]
+    held: Bool[np.ndarray, " k"]  # whether the object is held then
+    costs: Int[np.ndarray, " k"]  # what each move costs
+    start: Float[np.ndarray, "3"]  # centre of the object [m]
+    room: Float[np.ndarray, "2 2"]  # least and greatest x and y that its centre may have [m]
+    operators: tuple[str, ...] = ()  # name of the operator of each move
+    # count vectors known to have no order that stays in the room
     dead: set[tuple[int, ...]] = field(default_factory=set)
 
     def is_inside(self, positions: Float[np.ndarray, "*n 3"]) -> Bool[np.ndarray, "*n"]:
@@ -173,21 +116,11 @@ class Choices:
                 steps.append(PlanStep(PUT_DOWN + self.operators[move], name))
         return tuple(steps[:-1] if held else steps)
 
-    def ending_with(self, lift: int) -> "Choices":
-        """Return the choices of an object that a lift has left where it leads, and that is lifted no more."""
-        return replace(self, start=self.start + self.lifted[lift], held=np.zeros_like(self.held), dead=set())
-
 
 def choices_of(
     problem: Problem, grounding: Grounding, branching: Branching | None = None
 ) -> tuple[Choices, ...]:
-    """Return what can be done to each object.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain, for what steps cost and where the table ends.
-        branching: What each choice does to each object; what the live operators promise, if not given.
-    """
+    """Return what can be done to each object; by what the live operators promise, if not given."""
     branching = branching or branching_of(problem, grounding)
     room, found = problem.room(grounding.table), []
     for index, item in enumerate(problem.objects):
@@ -209,36 +142,21 @@ def choices_of(
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """A way to bring one object somewhere.
+    """A way to bring one object somewhere."""
 
-    Attributes:
-        moves: The moves in an order that stays in the object's room.
-        held: Whether the last of them is a lift without a put-down.
-        cost: What they cost together.
-        end: Where the object ends [m].
-        miss: How far from the goal that is, if farther than allowed [m].
-    """
-
-    moves: tuple[int, ...]
-    held: bool
-    cost: int
-    end: Vector
-    miss: float = 0.0
+    moves: tuple[int, ...]  # the moves in an order that stays in the object's room
+    held: bool  # whether the last of them is a lift without a put-down
+    cost: int  # what they cost together
+    end: Vector  # where the object ends [m]
+    miss: float = 0.0  # how far from the goal that is, if farther than allowed [m]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Ends:
-    """Where an object can end after so many moves.
-
-    Attributes:
-        length: How many moves.
-        lift: The lift that it ends held by, which comes last; None if it ends at rest.
-        places: The ends, one for each count vector of the other moves [m].
-        costs: What it costs to get there.
-    """
+    """Where an object can end after so many moves [m], and at what costs: held by a lift, at rest if -1."""
 
     length: int
-    lift: int | None
+    lift: int
     places: Float[np.ndarray, "n 3"]
     costs: Int[np.ndarray, " n"]
 
@@ -248,12 +166,9 @@ def looked_at(choices: Choices, depth: int = MOST_STEPS) -> tuple[int, int]:
     kinds = len(choices.costs)
     if kinds == 0:
         return depth, 1
-    steps = next(length for length in range(depth, -1, -1) if _vectors(kinds, length) <= MOST_VECTORS)
+    fits = (steps for steps in range(depth, -1, -1) if math.comb(steps + kinds - 1, steps) <= MOST_VECTORS)
+    steps = next(fits)
     return steps, math.comb(steps + kinds, kinds)
-
-
-def _vectors(kinds: int, length: int) -> int:
-    return math.comb(length + kinds - 1, length)
 
 
 @lru_cache(maxsize=256)
@@ -269,32 +184,21 @@ def _level(kinds: int, length: int) -> tuple[Int[np.ndarray, " n"], Int[np.ndarr
     return parents, np.arange(len(parents), dtype=np.int32) - first.astype(np.int32)
 
 
-def _count_vector(kinds: int, length: int, row: int) -> Int[np.ndarray, " k"]:
-    """Return a count vector of a length by its row in `_level`."""
-    counts = np.zeros(kinds, dtype=int)
-    for shorter in range(length, 0, -1):
-        parents, moves = _level(kinds, shorter)
-        counts[moves[row]] += 1
-        row = int(parents[row])
-    return counts
-
-
-def _ends(choices: Choices, depth: int) -> Iterator[tuple[_Ends, ...]]:
+def _ends(choices: Choices, depth: int, *, at_rest: bool) -> Iterator[tuple[_Ends, ...]]:
     """List where an object can end after 0, 1, 2 and more moves: at rest, then held by each of the lifts."""
-    now = _Ends(0, None, choices.start[None], np.zeros(1, dtype=int))
+    now = _Ends(0, -1, choices.start[None], np.zeros(1, dtype=int))
     yield (now,)
-    kinds = len(choices.costs)
-    for length in range(1, looked_at(choices, depth)[0] + 1 if kinds else 1):
-        before = now
-        parents, moves = _level(kinds, length)
-        places = before.places[parents] + choices.settled[moves]
-        now = _Ends(length, None, places, before.costs[parents] + choices.costs[moves])
-        lifts = np.flatnonzero(choices.held).tolist()
+    lifts = [] if at_rest else np.flatnonzero(choices.held).tolist()
+    for length in range(1, looked_at(choices, depth)[0] + 1 if len(choices.costs) else 1):
+        parents, moves = _level(len(choices.costs), length)
         held = (
-            _Ends(length, lift, before.places + choices.lifted[lift], before.costs + choices.costs[lift])
+            _Ends(length, lift, now.places + choices.lifted[lift], now.costs + choices.costs[lift])
             for lift in lifts
         )
-        yield (now, *held)
+        places = now.places[parents] + choices.settled[moves]
+        rest = _Ends(length, -1, places, now.costs[parents] + choices.costs[moves])
+        yield (rest, *held)
+        now = rest
 
 
 def candidates(
@@ -307,39 +211,23 @@ def candidates(
     moves: int = MOST_STEPS,
     cost: float = math.inf,
 ) -> Iterator[Candidate]:
-    """List the ways to bring an object to its goal: fewest moves first, among those the cheapest first.
+    """List the ways to bring an object near a goal [m]: fewest moves first, among those the cheapest first.
 
-    The list ends where `looked_at` says, or with the budget of work.
-
-    Args:
-        choices: What can be done to the object.
-        goal: Where its centre shall come to be [m].
-        tolerance: How near it must come [m].
-        effort: What may be spent; dearer ways are looked at, too.
-        at_rest: Whether it may not end held.
-        moves: How many moves ways have at most.
-        cost: What they cost at most.
-
-    Raises:
-        TimeIsUp: If the deadline passes.
+    They end at rest, if they must, and have no more moves and costs than allowed. The list ends where
+    `looked_at` says, or with the budget of work; ways that are too dear are looked at, too.
     """
-    for ends in _ends(choices, min(moves, MOST_STEPS)):
+    for ends in _ends(choices, min(moves, MOST_STEPS), at_rest=at_rest):
         effort.spend(0)
         found: list[tuple[int, int, int]] = []  # cost, lift or -1, row
         for end in ends:
-            if end.lift is not None and at_rest:
-                continue
             away = end.places - np.array(goal)
             rows = np.flatnonzero(np.einsum("ij,ij->i", away, away) <= tolerance**2)
             rows = rows[choices.is_inside(end.places[rows]) | (end.length == 0)]
-            lift = -1 if end.lift is None else end.lift
-            found += [(int(end.costs[row]), lift, int(row)) for row in rows]
+            found += [(int(end.costs[row]), end.lift, int(row)) for row in rows]
         for one_cost, lift, row in sorted(found):
             if not effort.spend():
                 return
-            if one_cost > cost:
-                continue
-            if candidate := _in_order(choices, ends[0].length, row, None if lift < 0 else lift):
+            if one_cost <= cost and (candidate := _in_order(choices, ends[0].length, row, lift)):
                 yield candidate
 
 
@@ -348,53 +236,45 @@ def nearest(
     goal: Vector,
     *,
     at_rest: bool = False,
-    anywhere: bool = False,
     gain: float = 1e-9,
 ) -> Candidate:
     """Find how to bring an object as near to its goal as it comes, with up to `DEPTH` moves.
 
-    Args:
-        choices: What can be done to the object.
-        goal: Where its centre shall come to be [m].
-        at_rest: Whether it may not end held.
-        anywhere: Whether it may leave its room; the moves are in no particular order then.
-        gain: How much nearer more moves must bring it to be worth it [m].
+    More moves are worth it if they bring it nearer by the gain [m].
     """
-    room = np.array([[-np.inf], [np.inf]]).repeat(2, axis=1) if anywhere else choices.room
-    free = replace(choices, room=room, dead=set())
     x, y, z = map(float, choices.start)
     best = Candidate((), False, 0, (x, y, z), math.dist(choices.start, goal))
-    for ends in _ends(choices, DEPTH):
-        for end in ends:
-            if end.length == 0 or (end.lift is not None and at_rest):
-                continue
-            misses = np.linalg.norm(end.places - np.array(goal), axis=-1)
-            rows = np.flatnonzero((misses < best.miss - gain) & free.is_inside(end.places))
-            for row in rows[np.argsort(misses[rows], kind="stable")]:
-                if found := _in_order(free, end.length, int(row), end.lift):
-                    best = replace(found, miss=float(misses[row]))
-                    break
+    for end in (end for ends in islice(_ends(choices, DEPTH, at_rest=at_rest), 1, None) for end in ends):
+        misses = np.linalg.norm(end.places - np.array(goal), axis=-1)
+        rows = np.flatnonzero((misses < best.miss - gain) & choices.is_inside(end.places))
+        for row in rows[np.argsort(misses[rows], kind="stable")]:
+            if found := _in_order(choices, end.length, int(row), end.lift):
+                best = replace(found, miss=float(misses[row]))
+                break
     return best
 
 
-def _in_order(choices: Choices, length: int, row: int, lift: int | None) -> Candidate | None:
+def _in_order(choices: Choices, length: int, row: int, lift: int) -> Candidate | None:
     """Put so many moves, the last lift counted, in an order that stays in the room, if there is one."""
-    counts = _count_vector(len(choices.costs), length - (lift is not None), row)
-    order = _order(choices, tuple(counts.tolist()), lift)
-    if order is None:
+    kinds, is_held = len(choices.costs), lift >= 0
+    counts = np.zeros(kinds, dtype=int)
+    for shorter in range(length - is_held, 0, -1):
+        parents, moves = _level(kinds, shorter)
+        counts[moves[row]] += 1
+        row = int(parents[row])
+    end, cost = choices.start + counts @ choices.settled, int(counts @ choices.costs)
+    if is_held:
+        end, cost = end + choices.lifted[lift], cost + int(choices.costs[lift])
+    if is_held and not choices.is_inside(end):
         return None
-    end = choices.start + counts @ choices.settled + (0 if lift is None else choices.lifted[lift])
-    cost = int(counts @ choices.costs) + (0 if lift is None else int(choices.costs[lift]))
+    order = _order(choices, tuple(counts.tolist()))
     x, y, z = map(float, end)
-    return Candidate(order, lift is not None, cost, (x, y, z))
+    return None if order is None else Candidate((*order, *[lift][: int(is_held)]), is_held, cost, (x, y, z))
 
 
-def _order(choices: Choices, counts: tuple[int, ...], lift: int | None) -> tuple[int, ...] | None:
+def _order(choices: Choices, counts: tuple[int, ...]) -> tuple[int, ...] | None:
     """Search backwards, depth first; the counts say where the object is, so nothing is looked at twice."""
-    if lift is not None and not choices.is_inside(_place(choices, counts) + choices.lifted[lift]):
-        return None
-    seen: set[tuple[int, ...]] = set()
-    waiting: list[tuple[tuple[int, ...], tuple[int, ...]]] = [(counts, () if lift is None else (lift,))]
+    seen, waiting = set[tuple[int, ...]](), [(counts, tuple[int, ...]())]
     while waiting:
         done, then = waiting.pop()
         if not any(done):
@@ -402,7 +282,7 @@ def _order(choices: Choices, counts: tuple[int, ...], lift: int | None) -> tuple
         if done in seen or done in choices.dead:
             continue
         seen.add(done)
-        here = _place(choices, done)
+        here = choices.start + np.array(done) @ choices.settled
         if choices.is_inside(here):
             possible = choices.is_inside(here - choices.settled + choices.lifted)
             for move in np.flatnonzero(possible & (np.array(done) > 0)).tolist():
@@ -411,25 +291,8 @@ def _order(choices: Choices, counts: tuple[int, ...], lift: int | None) -> tuple
     return None
 
 
-def _place(choices: Choices, counts: tuple[int, ...]) -> Float[np.ndarray, "3"]:
-    """Return where the object is after so many of each move [m]."""
-    return np.asarray(choices.start + np.array(counts) @ choices.settled)
-
-
-class _Listed:
-    """Candidates that are made as they are asked for."""
-
-    def __init__(self, source: Iterator[Candidate]):
-        self._source, self._known = source, list[Candidate]()
-
-    def at(self, index: int) -> Candidate | None:
-        self._known += islice(self._source, max(0, index + 1 - len(self._known)))
-        return self._known[index] if index < len(self._known) else None
-
-
 _Pick = tuple[bool, int]
 """Whether an object must end at rest, and which of its candidates is picked."""
-_Picks = tuple[_Pick, ...]
 
 
 class _Join:
@@ -437,33 +300,30 @@ class _Join:
 
     Attributes:
         effort: What may be spent, and was.
-        goes_near: Whether the nearest stands in where no candidate reaches a goal.
-        missed: Why the last plan that was tried is not true; whoever tries them says so.
     """
 
     def __init__(self, problem: Problem, grounding: Grounding, effort: Effort, *, goes_near: bool = False):
-        self.problem, self.grounding, self.effort, self.goes_near = problem, grounding, effort, goes_near
-        self.missed = ""
-        self._bystanders: Counter[str] = Counter()
         for item in problem.objects:
             grounding.category(item.category)
-        self._names = list(problem.goals)
+        self.effort = effort
+        self._problem, self._names, self._goes_near = problem, list(problem.goals), goes_near
         self._choices = dict(zip(problem.object_names, choices_of(problem, grounding), strict=True))
         self._apart = footprints_apart(problem)
-        self._listed: dict[tuple[str, bool], _Listed] = {}
+        self._listed: dict[tuple[str, bool], tuple[list[Candidate], Iterator[Candidate]]] = {}
 
     def candidate(self, name: str, at_rest: bool, index: int) -> Candidate | None:
         """Return a candidate of an object, counted from the best, or None if there are not so many."""
-        key = (name, at_rest)
-        if key not in self._listed:
-            self._listed[key] = _Listed(self._candidates(name, at_rest))
-        return self._listed[key].at(index)
+        if (name, at_rest) not in self._listed:
+            self._listed[name, at_rest] = [], self._candidates(name, at_rest)
+        known, source = self._listed[name, at_rest]
+        known += islice(source, max(0, index + 1 - len(known)))
+        return known[index] if index < len(known) else None
 
     def _candidates(self, name: str, at_rest: bool) -> Iterator[Candidate]:
-        choices, goal = self._choices[name], self.problem.goals[name]
-        found = candidates(choices, goal, self.problem.tolerance, self.effort, at_rest=at_rest)
+        choices, goal = self._choices[name], self._problem.goals[name]
+        found = candidates(choices, goal, self._problem.tolerance, self.effort, at_rest=at_rest)
         first = next(found, None)
-        if first is None and self.goes_near:
+        if first is None and self._goes_near:
             first = nearest(choices, goal, at_rest=at_rest, gain=GAIN)
         if first is not None:
             yield first
@@ -477,63 +337,52 @@ class _Join:
         Raises:
             TimeIsUp: If the deadline passes.
         """
-        first: _Picks = tuple((False, 0) for _ in self._names)
-        seen, ticket = {first}, count()
-        waiting: list[tuple[float, int, int, int, _Picks, list[Candidate]]] = []
-
-        def push(picks: _Picks) -> None:
-            found = [self.candidate(name, *pick) for name, pick in zip(self._names, picks, strict=True)]
-            picked = [one for one in found if one is not None]
-            if len(picked) == len(found):
-                miss, moves = sum(one.miss for one in picked), sum(len(one.moves) for one in picked)
-                costs = sum(one.cost for one in picked)
-                heapq.heappush(waiting, (miss, moves, costs, next(ticket), picks, picked))
-
-        push(first)
-        while waiting and self.effort.spend():
+        following: list[tuple[_Pick, ...]] = [tuple((False, 0) for _ in self._names)]
+        seen, ticket = set[tuple[_Pick, ...]](), count()
+        waiting: list[tuple[float, int, int, int, tuple[_Pick, ...], list[Candidate]]] = []
+        while following or waiting:
+            for picks in following:
+                found = [self.candidate(name, *pick) for name, pick in zip(self._names, picks, strict=True)]
+                picked = [one for one in found if one is not None]
+                if picks not in seen and len(picked) == len(found):
+                    miss, moves = sum(one.miss for one in picked), sum(len(one.moves) for one in picked)
+                    costs = sum(one.cost for one in picked)
+                    heapq.heappush(waiting, (miss, moves, costs, next(ticket), picks, picked))
+                seen.add(picks)
+            if not waiting or not self.effort.spend():
+                return
             *_, picks, picked = heapq.heappop(waiting)
-            conflict = self._conflict(picked)
-            if conflict is None:
+            rests, rows = self._conflict(picked)
+            if not rows:
                 yield self._steps(picked)
-                following = [_next(picks, index) for index in range(len(picks))]
-            else:
-                both_held, pair = conflict
-                following = [_next(picks, index, resting=both_held) for index in pair]
-            for one in following:
-                if one not in seen:
-                    seen.add(one)
-                    push(one)
+            following = [
+                (*picks[:row], (True, 0) if rests else (picks[row][0], picks[row][1] + 1), *picks[row + 1 :])
+                for row in rows or range(len(picks))
+            ]
 
     def why_none(self) -> str:
         """Say up to where plans were looked for in vain."""
+        if self.effort.is_used_up:
+            return f"none within {self.effort.work:,} candidates, joins and orders looked at"
         looked = [looked_at(self._choices[name]) for name in self._names]
         steps, vectors = min(steps for steps, _ in looked), sum(vectors for _, vectors in looked)
-        said = f"none within {steps} primitives with an object; {vectors:,} combinations looked at"
-        if self.effort.is_used_up:
-            said = f"none within {self.effort.work:,} candidates, joins and orders looked at"
-        if self._bystanders:
-            said += f"; {self._bystanders.most_common(1)[0][0]} was in the way most often"
-        return said + (f"; the last that was tried: {self.missed}" if self.missed else "")
+        return f"none within {steps} primitives with an object; {vectors:,} combinations looked at"
 
-    def _conflict(self, picked: list[Candidate]) -> tuple[bool, tuple[int, ...]] | None:
-        """Find who cannot have their picks together, and whether that is because of the hand."""
+    def _conflict(self, picked: list[Candidate]) -> tuple[bool, tuple[int, ...]]:
+        """Find who cannot have their picks together, nobody if all can, and whether two would be held."""
         held = [index for index, one in enumerate(picked) if one.held]
         if len(held) > 1:
             return True, tuple(held[:2])
-        spots = self.problem.scene().positions[:, :2]
-        rows = [self.problem.object_names.index(name) for name in self._names]
+        spots = self._problem.scene().positions[:, :2]
+        rows = [self._problem.object_names.index(name) for name in self._names]
         for row, one in zip(rows, picked, strict=True):
             spots[row] = one.end[:2] if not one.held else np.inf
         for index, row in enumerate(rows):
             if not picked[index].held and picked[index].moves:
-                hit = overlapping(spots[row], spots, self._apart[row])
-                if hit.any():
-                    other = int(np.flatnonzero(hit)[0])
-                    if other in rows:
-                        return False, (index, rows.index(other))
-                    self._bystanders[self.problem.object_names[other]] += 1
-                    return False, (index,)
-        return None
+                hit = np.flatnonzero(overlapping(spots[row], spots, self._apart[row]))
+                if len(hit):
+                    return False, (index, *(rows.index(other) for other in hit[:1] if other in rows))
+        return False, ()
 
     def _steps(self, picked: list[Candidate]) -> tuple[PlanStep, ...]:
         """Write the moves as steps, and who is held in the end last."""
@@ -541,9 +390,3 @@ class _Join:
         return tuple(
             step for name, one in last for step in self._choices[name].steps(name, one.moves, held=one.held)
         )
-
-
-def _next(picks: _Picks, index: int, *, resting: bool = False) -> _Picks:
-    """Pick the next candidate of one object, or the first that ends at rest."""
-    at_rest, number = picks[index]
-    return (*picks[:index], (True, 0) if resting else (at_rest, number + 1), *picks[index + 1 :])

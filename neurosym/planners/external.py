@@ -1,22 +1,172 @@
-"""Planners that are programs of their own, each run on our own PDDL as its authors mean it to be called.
+"""Planners that are programs of their own: how each is called, and how they are run and leave nothing behind.
 
-What they are called with is all we know of them: they are run in an empty folder, and what they leave there
-as a plan is read by us. Packages from the Python index bring them; none is imported.
+Programs run on our own PDDL as their authors mean them to be called. What they are called with is all we know
+of them: they are run in an empty folder, and what they leave there as a plan is read by us. Packages from the
+Python index bring them; none is imported.
 """
 
+import atexit
 import importlib.util
+import math
+import os
 import re
+import resource
 import shutil
+import signal
+import subprocess
 import sys
 import sysconfig
+import tempfile
+import textwrap
+import threading
 import time
-from collections.abc import Container, Mapping, Sequence
+import uuid
+from collections.abc import Container, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from neurosym.errors import CannotStart, InvalidFile
 from neurosym.files import read_bytes
+from neurosym.planners import keeper
+from neurosym.planners.keeper import FOLDER_PREFIX, MARK, end_marked
 from neurosym.planners.planner import PlannerAnswer, PlannerMissing, PlanStatus
-from neurosym.planners.process import MEMORY, Finished, read_text, run_limited, scratch_folder
+
+# Running a planner as a process that leaves nothing behind.
+#
+# Planners start processes of their own, some in sessions of their own, and write files wherever they stand,
+# or where temporary files go. Each call gets a folder of its own for both. When it ends or its time is up,
+# all its descendants are killed: its session, and what has a session of its own by a mark in the environment.
+# When we are killed ourselves, the keeper does that (`keeper.py`).
+
+MEMORY = 4 * 1024**3
+"""How much memory a planner may take, unless this process may take less [bytes]."""
+FILE_SIZE = 1024**3
+"""How large a file a planner may write, its output included, unless this process may write less [bytes]."""
+_TOLD = 1024**2  # how much of its output is kept, from the end [bytes]
+_keepers: dict[int, tuple[str, "subprocess.Popen[bytes] | None"]] = {}
+"""Mark and keeper of a process, by its number; a forked process has none yet."""
+_PATIENCE = 2.0  # for the keeper to end [s]
+_starting = threading.Lock()
+
+
+@dataclass(frozen=True, slots=True)
+class Finished:
+    """How a process ended."""
+
+    code: int | None  # its exit code; None if it was killed because the time was up
+    output: str  # what it wrote, errors included
+
+    @property
+    def last_words(self) -> str:
+        """The last line that it wrote, shortened, without control characters."""
+        plain = "".join(sign if sign.isprintable() or sign == "\n" else " " for sign in self.output)
+        lines = [line.strip() for line in plain.splitlines() if line.strip()]
+        return textwrap.shorten(lines[-1], 200) if lines else "it said nothing"
+
+
+def run_limited(
+    command: Sequence[str],
+    folder: Path,
+    time_limit: float,
+    *,
+    stdin: Path | None = None,
+    environment: Mapping[str, str] | None = None,
+    memory: int = MEMORY,
+) -> Finished:
+    """Run a command in a session of its own, and kill all that is left of it when it ends or its time is up.
+
+    Args:
+        command: The command.
+        folder: Its working directory, and where its temporary files go.
+        time_limit: When to kill it [s]; infinite: never.
+        stdin: What it reads from its standard input.
+        environment: Variables added to the environment.
+        memory: How much memory it may take [bytes].
+
+    Raises:
+        CannotStart: If the system lets no process be started.
+    """
+    mark = f"{_kept()}.{uuid.uuid4().hex}"
+    source_file = stdin or Path(os.devnull)
+    # A shell limits itself and then becomes the command, so that no moment is without the limits.
+    kibibytes, blocks = _at_most(resource.RLIMIT_AS, memory) // 1024, _at_most(resource.RLIMIT_FSIZE) // 512
+    limits = f"{{ ulimit -v {kibibytes}; ulimit -f {blocks}; }} 2>/dev/null"  # not every system has both
+    with source_file.open("rb") as source, tempfile.TemporaryFile() as sink:
+        try:
+            process = subprocess.Popen(
+                ["/bin/sh", "-c", f'{limits}; exec "$@"', "sh", *command],
+                cwd=folder,
+                stdin=source,
+                stdout=sink,
+                stderr=subprocess.STDOUT,
+                env={**os.environ, "TMPDIR": str(folder), **(environment or {}), MARK: mark},
+                start_new_session=True,
+            )
+        except OSError as error:
+            raise CannotStart("planner", str(error.strerror)) from error
+        code: int | None = None
+        try:
+            with suppress(subprocess.TimeoutExpired):
+                code = process.wait(timeout=None if math.isinf(time_limit) else max(time_limit, 0.0))
+        finally:
+            if process.returncode is None:  # and so its number is still its own
+                with suppress(ProcessLookupError, PermissionError):
+                    os.killpg(process.pid, signal.SIGKILL)
+            end_marked(mark)
+            process.wait()
+        sink.seek(max(0, sink.seek(0, os.SEEK_END) - _TOLD))
+        return Finished(code, sink.read().decode(errors="replace"))
+
+
+def read_text(path: Path) -> str:
+    """Read what a planner wrote, whatever it is; nothing if there is no such file, or it is too large."""
+    with suppress(InvalidFile):
+        return read_bytes(path, _TOLD).decode(errors="replace")
+    return ""
+
+
+@contextmanager
+def scratch_folder() -> Iterator[Path]:
+    """Make an empty folder, and remove it with all that is in it; also when this process is killed."""
+    with tempfile.TemporaryDirectory(prefix=f"{FOLDER_PREFIX}{_kept()}-", ignore_cleanup_errors=True) as name:
+        yield Path(name)
+
+
+def _kept() -> str:
+    """Return the mark of this process, whose keeper clears away what it leaves when it ends."""
+    with _starting:
+        if os.getpid() not in _keepers:
+            owner, started = uuid.uuid4().hex, None
+            program = [sys.executable, "-I", "-S", keeper.__file__, tempfile.gettempdir(), owner]
+            with suppress(OSError):
+                started = subprocess.Popen(
+                    program,
+                    cwd="/",
+                    stdin=subprocess.PIPE,
+                    stdout=subprocess.DEVNULL,
+                    stderr=subprocess.DEVNULL,
+                    env={name: value for name, value in os.environ.items() if name != MARK},
+                    start_new_session=True,
+                )
+            _keepers[os.getpid()] = owner, started
+        return _keepers[os.getpid()][0]
+
+
+@atexit.register
+def _dismiss() -> None:
+    """Tell the keeper whether something is left that it should clear away, and wait for its end."""
+    owner, found = _keepers.pop(os.getpid(), ("", None))
+    if found:
+        is_left = any(Path(tempfile.gettempdir()).glob(f"{FOLDER_PREFIX}{owner}-*"))
+        with suppress(OSError, subprocess.TimeoutExpired):
+            found.communicate(b"" if is_left else b".", timeout=_PATIENCE)
+
+
+def _at_most(kind: int, most: int = FILE_SIZE) -> int:
+    """Return what a planner may have, which is never more than this process may have."""
+    return min(limit for limit in (most, *resource.getrlimit(kind)) if limit != resource.RLIM_INFINITY)
+
 
 PLAN = "plan"
 """The file that programs are asked to write a plan to."""
@@ -27,28 +177,19 @@ _INCOMPLETE, _OUT_OF_TIME = 12, (21, 23, 24)
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """How a planner is called, and what its end means.
+    """How a planner is called, and what its end means."""
 
-    Attributes:
-        title: What it is called.
-        package: The Python package that brings it.
-        command: The words of the command; in them, {python}, {scripts} and {package} stand for the
-            interpreter, the folder of installed commands and that of the package, {domain}, {problem} and
-            {plan} for files, and {seconds} for how long it may take.
-        plans: Where it leaves plans, as a pattern; of several, the last is the best.
-        unsolvable: Exit codes that mean that there is no plan.
-        no_plan: What it prints if there is no plan.
-        needs: A command that must be there too, and what brings that.
-        distribution: What the package is called in the Python index, if it is not its own name with hyphens.
-    """
-
-    title: str
-    package: str
+    title: str  # what it is called
+    package: str  # the Python package that brings it
+    # the words of the command; in them, {python}, {scripts} and {package} stand for the interpreter, the
+    # folder of installed commands and that of the package, {domain}, {problem} and {plan} for files, and
+    # {seconds} for how long it may take
     command: Sequence[str]
-    plans: str = PLAN
-    unsolvable: tuple[int, ...] = ()
-    no_plan: str = ""
-    needs: tuple[str, str] | None = None
+    plans: str = PLAN  # where it leaves plans, as a pattern; of several, the last is the best
+    unsolvable: tuple[int, ...] = ()  # exit codes that mean that there is no plan
+    no_plan: str = ""  # what it prints if there is no plan
+    needs: tuple[str, str] | None = None  # a command that must be there too, and what brings that
+    # what the package is called in the Python index, if it is not its own name with hyphens
     distribution: str = ""
 
     def missing(self) -> str:
@@ -62,60 +203,38 @@ class Program:
 
 
 def plan_program(domain: Path, problem: Path, *, time_limit: float, program: Program) -> PlannerAnswer:
-    """Solve a PDDL problem with a program.
-
-    Args:
-        domain: File of the domain.
-        problem: File of the problem.
-        time_limit: When to give up [s].
-        program: The program.
-
-    Raises:
-        PlannerMissing: If it is not installed.
-    """
+    """Solve a PDDL problem, given as files, with a program; `PlannerMissing` is raised if it is not there."""
     begin = time.perf_counter()
-    package = _folder_of(program.package)
-    if package is None or program.missing():
-        raise PlannerMissing(program.title, program.missing())
+    if remedy := program.missing():
+        raise PlannerMissing(program.title, remedy)
     with scratch_folder() as folder:
         given = {
             "{python}": sys.executable,
             "{scripts}": sysconfig.get_path("scripts"),
-            "{package}": str(package),
+            "{package}": str(_folder_of(program.package)),
             "{domain}": str(domain.resolve()),
             "{problem}": str(problem.resolve()),
             "{plan}": PLAN,
             "{seconds}": f"{max(0.8 * time_limit, 0.1):.1f}",
         }
-        command = [_put_in(word, given) for word in program.command]
-        finished = run_limited(command, folder, time_limit)
+        words = (
+            re.sub(r"{\w+}", lambda found: given.get(found[0], found[0]), one) for one in program.command
+        )
+        finished = run_limited([*words], folder, time_limit)
         found = sorted(folder.glob(program.plans), key=lambda path: (len(path.name), path.name))
         text = read_text(found[-1]) if found else ""
     status, reason = PlanStatus.SOLVED, ""
     if "(" not in text:
-        status, reason = judged(finished, program.title, program.unsolvable, program.no_plan)
+        status, reason = _judged(finished, program.title, program.unsolvable, program.no_plan)
         if status is PlanStatus.SOLVED:
             status, reason = _failed(finished, program.title)
     return PlannerAnswer(status, text, time.perf_counter() - begin, reason)
 
 
-def _put_in(word: str, given: Mapping[str, str]) -> str:
-    for name, value in given.items():
-        word = word.replace(name, value)
-    return word
-
-
-def judged(
+def _judged(
     finished: Finished, title: str, unsolvable: Container[int] = UNSOLVABLE, no_plan: str = ""
 ) -> tuple[PlanStatus, str]:
-    """Say what the end of a program means; SOLVED if it ended well.
-
-    Args:
-        finished: How it ended.
-        title: What it is called.
-        unsolvable: Exit codes that mean that there is no plan.
-        no_plan: What it prints if there is no plan, if it does.
-    """
+    """Say what the end of a program means; SOLVED if it ended well."""
     code = finished.code
     if code is None or code in _OUT_OF_TIME:
         return PlanStatus.TIMEOUT, f"{title} found no plan in time"
@@ -136,8 +255,8 @@ def _failed(finished: Finished, title: str) -> tuple[PlanStatus, str]:
 def _folder_of(package: str) -> Path | None:
     """Find the folder of a package without importing it."""
     spec = importlib.util.find_spec(package)
-    places = spec.submodule_search_locations if spec else None
-    return Path(next(iter(places))) if places else None
+    places = (spec.submodule_search_locations if spec else None) or []
+    return next(map(Path, places), None)
 
 
 # Fast Downward, the one that the package up-fast-downward brings, on our own SAS+ or PDDL.
@@ -158,33 +277,22 @@ LAMA_FIRST = (
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """One search of a portfolio.
+    """One search of a portfolio."""
 
-    Attributes:
-        configuration: What Fast Downward calls it; no blanks.
-        memory: How much memory it may take [bytes]; the next search begins when it wants more.
-        for_task: How much more for each byte of the task that it reads [bytes].
-        weight: How many states of blind A* one that it evaluates takes as long as.
-    """
-
-    configuration: str
-    memory: int = MEMORY
-    for_task: int = 0
-    weight: int = 15
+    configuration: str  # what Fast Downward calls it; no blanks
+    memory: int = MEMORY  # how much memory it may take [bytes]; the next search begins when it wants more
+    for_task: int = 0  # how much more for each byte of the task that it reads [bytes]
+    weight: int = 15  # how many states of blind A* one that it evaluates takes as long as
 
     def memory_for(self, task: Path) -> int:
         """Return how much memory it may take for a task [bytes]."""
         return min(MEMORY, self.memory + self.for_task * task.stat().st_size)
 
     def work(self, output: str, memory: int) -> int:
-        """Return how much it has looked at [states, see `effort`].
+        """Return how much it has looked at [states, see `Effort`].
 
-        Where the memory ended it, that is what fits into so much, and no sum of what it said: the last line
-        that it writes then may differ.
-
-        Args:
-            output: What it wrote.
-            memory: How much it was given [bytes].
+        Where the memory ended it, that is what fits into so much [bytes], and no sum of what it said: the
+        last line that it writes then may differ.
         """
         evaluated = _EVALUATED.search(output)
         if evaluated:
@@ -223,69 +331,43 @@ _TITLE = "Fast Downward"
 def plan_fast_downward(
     domain: Path, problem: Path, *, time_limit: float, searches: Sequence[Search] = ()
 ) -> PlannerAnswer:
-    """Solve a problem with Fast Downward.
+    """Solve a problem with Fast Downward: translate it, and search until one has memory enough.
 
     Args:
         domain: File of the domain in PDDL.
         problem: File of the problem in PDDL, or of both in SAS+ (`.sas`), which is not translated.
         time_limit: When to give up [s].
         searches: What to try, one after another; by what the problem needs, if not given.
-
-    Raises:
-        PlannerMissing: If up-fast-downward is not installed.
     """
     begin = time.perf_counter()
     programs = _programs()
     if programs is None:
         raise PlannerMissing(_TITLE, missing())
-    searches = searches or _usual_searches(problem)
+    is_sas = problem.suffix == SAS_SUFFIX
+    has_places = not is_sas and b" - spot" in read_bytes(problem)
+    status, reason, text, work = PlanStatus.SOLVED, "", "", 0
     with scratch_folder() as folder:
-        status, reason, text, task, work = PlanStatus.SOLVED, "", "", problem.resolve(), 0
-        if problem.suffix != SAS_SUFFIX:
-            status, reason = _translate(folder, programs, domain, problem, time_limit)
-            task = folder / "output.sas"
+        task, plan = problem.resolve() if is_sas else folder / "output.sas", folder / PLAN
+        if not is_sas:
+            files = str(domain.resolve()), str(problem.resolve())
+            translate = [sys.executable, "-m", "fast_downward.translate", *files]
+            added = {"PYTHONPATH": str(programs)}
+            status, reason = _judged(run_limited(translate, folder, time_limit, environment=added), _TITLE)
             work = _TRANSLATING + (task.stat().st_size // _PER_FACT if task.is_file() else 0)
-        if status is PlanStatus.SOLVED:
+        tried = searches or (FOR_PLACES if has_places else PORTFOLIO)
+        for search in tried if status is PlanStatus.SOLVED else ():
+            memory, downward = search.memory_for(task), str(programs / "downward")
+            command = [downward, "--search", search.configuration, "--internal-plan-file", str(plan)]
             left = time_limit - (time.perf_counter() - begin)
-            status, reason, text, looked_at = _search(folder, programs / "downward", task, searches, left)
-            work += looked_at
-    return PlannerAnswer(status, text, time.perf_counter() - begin, reason, work)
-
-
-def _usual_searches(problem: Path) -> Sequence[Search]:
-    """Return what is tried one after another, by what a problem needs."""
-    has_places = problem.suffix != SAS_SUFFIX and b" - spot" in read_bytes(problem)
-    return FOR_PLACES if has_places else PORTFOLIO
-
-
-def _translate(
-    folder: Path, programs: Path, domain: Path, problem: Path, time_limit: float
-) -> tuple[PlanStatus, str]:
-    """Turn PDDL into SAS+; SOLVED says that this went well."""
-    files = [str(file.resolve()) for file in (domain, problem)]
-    command = [sys.executable, "-m", "fast_downward.translate", *files]
-    return judged(run_limited(command, folder, time_limit, environment={"PYTHONPATH": str(programs)}), _TITLE)
-
-
-def _search(
-    folder: Path, downward: Path, task: Path, searches: Sequence[Search], time_limit: float
-) -> tuple[PlanStatus, str, str, int]:
-    """Run searches until one needs no more memory than it may take; the last number is their work."""
-    end = time.perf_counter() + time_limit
-    plan = folder / "plan"
-    status, reason, work = PlanStatus.TIMEOUT, "the time was up before the search", 0
-    for search in searches:
-        command = [str(downward), "--search", search.configuration, "--internal-plan-file", str(plan)]
-        left, memory = end - time.perf_counter(), search.memory_for(task)
-        finished = run_limited(command, folder, left, stdin=task, memory=memory)
-        work += search.work(finished.output, memory)
-        status, reason = judged(finished, _TITLE)
-        if finished.code not in OUT_OF_MEMORY:
-            break
-    text = read_text(plan) if status is PlanStatus.SOLVED else ""
+            finished = run_limited(command, folder, left, stdin=task, memory=memory)
+            work += search.work(finished.output, memory)
+            status, reason = _judged(finished, _TITLE)
+            text = read_text(plan) if status is PlanStatus.SOLVED else ""
+            if finished.code not in OUT_OF_MEMORY:
+                break
     if status is PlanStatus.SOLVED and not text:
         status, reason = PlanStatus.FAILED, f"{_TITLE} wrote no plan"
-    return status, reason, text, work
+    return PlannerAnswer(status, text, time.perf_counter() - begin, reason, work)
 
 
 def missing() -> str:
@@ -295,7 +377,6 @@ def missing() -> str:
 
 def _programs() -> Path | None:
     """Find the folder of the compiled planner without importing unified-planning."""
-    spec = importlib.util.find_spec("up_fast_downward")
-    places = (spec.submodule_search_locations if spec else None) or []
-    folders = (Path(place) / "downward" / "builds" / "release" / "bin" for place in places)
-    return next((folder for folder in folders if (folder / "downward").is_file()), None)
+    package = _folder_of("up_fast_downward")
+    folder = package / "downward" / "builds" / "release" / "bin" if package else None
+    return folder if folder and (folder / "downward").is_file() else None

@@ -1,8 +1,8 @@
 """No plan is an answer: which goal cannot be met, why, and how near its object can come.
 
 Some of it is proved: a goal is out of reach or off the table, however often primitives are done; two objects
-would have to be in the air, while there is one hand; there is no room at a goal. The rest is what counting
-saw (see `counting`), up to where it looked: then a plan was not found, and there may be one.
+would have to be in the air, while there is one hand; there is no room for two goals. The rest is what
+counting saw (see `action_counts`), up to where it looked: then a plan was not found, and there may be one.
 
 Two things bound where an object can come to be, however often it is moved. It stays in its room. And every
 end at rest is the start plus a sum of displacements. If the goal lies beyond the cone of those sums, there
@@ -14,7 +14,6 @@ import dataclasses
 import itertools
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 
@@ -31,14 +30,12 @@ from neurosym.planners.action_counts import (
     looked_at,
     nearest,
     plan_counting,
-    plan_nearest,
 )
 from neurosym.planners.bfs import Branching, branching_of
 from neurosym.planners.planner import Effort, Planner, PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.tasks.options import carriers_for
-from neurosym.tasks.supports import is_relational
-from neurosym.tasks.task import footprints_apart
+from neurosym.tasks.task import footprints_apart, is_relational
 from neurosym.tasks.transition import primitives
 
 MOST_PRIMITIVES = 1_000_000
@@ -47,73 +44,54 @@ WORK_TO_COUNT = 40_000
 """How much counting looks at for a plan by the rehearsed effects, where the planner has none."""
 
 
-class Explanation(NamedTuple):
-    """Why there is no plan.
-
-    Attributes:
-        reason: Why, in words; empty if nothing is known to stand against a plan.
-        is_proved: Whether it proves that there is none.
-    """
-
-    reason: str
-    is_proved: bool = False
-
-
 def explain_no_plan(
     problem: Problem, grounding: Grounding, *, branching: Branching | None = None, depth: int | None = None
-) -> Explanation:
-    """Say which goals cannot be met, and why.
+) -> tuple[str, bool]:
+    """Say which goals cannot be met, and why, empty if nothing is known; and whether that is proved.
 
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-        branching: What is predicted for each object; what the live operators promise, if not given.
-        depth: How many primitives the planner looks ahead, if it is limited.
+    What is predicted for each object may be given in place of what the live operators promise, and how many
+    primitives the planner looks ahead.
     """
     found = _reaches(problem, grounding, branching)
-    proved = {name: reach.is_impossible() for name, reach in found.items()}
-    fewest = {name: None if proved[name] else reach.fewest() for name, reach in found.items()}
-    if out := [reach.explain(proved[name]) for name, reach in found.items() if fewest[name] is None]:
-        return Explanation("; ".join(out), any(proved.values()))
+    proved = {name for name, reach in found.items() if reach.is_impossible()}
+    fewest = {name: None if name in proved else reach.fewest() for name, reach in found.items()}
+    if out := [reach.explain(name in proved) for name, reach in found.items() if fewest[name] is None]:
+        return "; ".join(out), bool(proved)
     if clash := explain_clash(problem, grounding, branching=branching):
-        return Explanation(clash, True)
+        return clash, True
     needed = {name: count for name, count in fewest.items() if count}
     if depth is None or sum(needed.values()) <= depth:
-        return Explanation(_in_the_way(problem, found))
+        crowded = [(name, other) for name, other in _crowded(problem) if other not in problem.goals]
+        ways = [f"{one} stands where {name} is to end; give {one} a goal elsewhere" for name, one in crowded]
+        return "; ".join(ways[:1]), False
     only = f"only {depth} {'is' if depth == 1 else 'are'} looked at"
     if deep := [f"{name} {count}" for name, count in needed.items() if count > depth]:
-        return Explanation(f"too deep: {' and '.join(deep)} primitives away from the goal, and {only}")
+        return f"too deep: {' and '.join(deep)} primitives away from the goal, and {only}", False
     each = " and ".join(f"{name} {count}" for name, count in needed.items())
-    return Explanation(
-        f"too deep: each goal can be reached alone, but together they take {sum(needed.values())} primitives "
-        f"({each}), and {only}"
-    )
+    together = f"together they take {sum(needed.values())} primitives ({each}), and {only}"
+    return f"too deep: each goal can be reached alone, but {together}", False
 
 
 def explain_clash(problem: Problem, grounding: Grounding, *, branching: Branching | None = None) -> str:
     """Say which goals provably cannot be met together, however objects move; empty if none are known.
 
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-        branching: As in `explain_no_plan`.
+    What is predicted for each object may be given in place of what the live operators promise.
     """
-    high = [
-        name
-        for name, goal in problem.goals.items()
-        if abs(goal[2] - problem.object_named(name).position[2]) > problem.tolerance
-    ]
-    crowded = _crowded(problem)
-    if len(high) < 2 and not crowded:
+    heights = {item.name: item.position[2] for item in problem.objects}
+    high = [name for name, goal in problem.goals.items() if abs(goal[2] - heights[name]) > problem.tolerance]
+    if len(high) < 2 and not _crowded(problem):
         return ""
     found = _reaches(problem, grounding, branching)
     if len(high := [name for name in high if found[name].must_be_held()]) > 1:
         return f"{' and '.join(high)} would have to be held at the end, and there is one hand"
-    for name, other in crowded:
-        rests = all(found[one].must_rest() for one in (name, other) if one in found)
-        if rests and other in problem.goals:
+    for name, other in _crowded(problem):
+        if not all(found[one].must_rest() for one in (name, other) if one in found):
+            continue
+        if other in found:
             return f"there is no room for both {name} and {other}, so near are their goals"
-        if rests and other not in problem.goals and _never_moves(problem, other, grounding, branching):
+        carriers = carriers_for(problem.object_named(other), grounding, problem.tolerance)
+        table = branching or branching_of(problem, grounding)
+        if not table.usable(problem.object_names.index(other)) and (branching or not carriers):
             return f"{other} stands where {name} is to end, and no primitive moves it"
     return ""
 
@@ -138,32 +116,28 @@ def look_again(
         goes_near: Whether to plan to the nearest points that can be reached instead.
     """
     has_ended = result.status in (PlanStatus.UNSOLVABLE, PlanStatus.NOT_FOUND, PlanStatus.FAILED)
-    if is_relational(problem, grounding) or not has_ended:
-        return result
-    if goes_near:
-        ceiling = math.inf if time_limit is None else time_limit
-        return _nearest(result, plan_nearest(problem, grounding, time_limit=ceiling), grounding, planner)
     is_open = planner.reads == "network" or result.status is not PlanStatus.UNSOLVABLE
-    if planner.is_exact or not is_open:
+    asks = goes_near or (is_open and not planner.is_exact)
+    if is_relational(problem, grounding) or not has_ended or not asks:
         return result
-    found = plan_counting(problem, grounding, work=WORK_TO_COUNT)
-    if found.status is not PlanStatus.SOLVED:
-        return result
-    count = counted(primitives(found.steps), "primitive")
-    known = f"by the {grounding.operators.effects} there is a plan of {count}"
-    return dataclasses.replace(result, reason=f"{result.reason}; {known}: try another planner, say counting")
-
-
-def _nearest(none: PlanResult, found: PlanResult, grounding: Grounding, planner: Planner) -> PlanResult:
-    """Keep saying why the planner had no plan that comes nearer."""
+    ceiling = math.inf if time_limit is None else time_limit
+    work = MOST_WORK if goes_near else WORK_TO_COUNT
+    found = plan_counting(problem, grounding, time_limit=ceiling, work=work, goes_near=goes_near)
+    by_effects = f"by the {grounding.operators.effects}"
+    if not goes_near:
+        known = f"{by_effects} there is a plan of {counted(primitives(found.steps), 'primitive')}"
+        said = f"{result.reason}; {known}: try another planner, say counting"
+        return dataclasses.replace(result, reason=said) if found.has_plan else result
     if not found.has_plan:
-        status = found.status if found.status is PlanStatus.TIMEOUT else none.status
-        return PlanResult(status, (), none.seconds + found.seconds, f"{none.reason}; {found.reason}")
+        status = found.status if found.status is PlanStatus.TIMEOUT else result.status
+        reason = f"{result.reason}; no plan to the nearest point: {found.reason}"
+        return PlanResult(status, (), result.seconds + found.seconds, reason)
     if found.status is PlanStatus.NEAREST:
-        return dataclasses.replace(found, reason=f"{found.reason}; {none.reason}")
+        return dataclasses.replace(found, reason=f"{found.reason}; {result.reason}")
     over = ", over what the network predicts," if planner.reads == "network" else ""
-    said = f"it meets the goal by the {grounding.operators.effects}; {planner.name}{over} found none"
-    return dataclasses.replace(found, reason=said)
+    return dataclasses.replace(
+        found, reason=f"it meets the goal {by_effects}; {planner.name}{over} found none"
+    )
 
 
 def _reaches(problem: Problem, grounding: Grounding, branching: Branching | None) -> dict[str, "_Reach"]:
@@ -173,39 +147,19 @@ def _reaches(problem: Problem, grounding: Grounding, branching: Branching | None
     return {name: _Reach(name, one, goals[name], problem.tolerance) for name, one in rows if name in goals}
 
 
-def _never_moves(problem: Problem, name: str, grounding: Grounding, branching: Branching | None) -> bool:
-    """Say whether nothing is known to be done to an object."""
-    if branching is None and carriers_for(problem.object_named(name), grounding, problem.tolerance):
-        return False
-    table = branching or branching_of(problem, grounding)
-    return not table.usable(problem.object_names.index(name))
-
-
 def _crowded(problem: Problem) -> list[tuple[str, str]]:
     """List objects with a goal, each with another that stands, or is to end, where it is to end.
 
     However both use the tolerance, they overlap, if the other without a goal stays where it is.
     """
-    apart, names = footprints_apart(problem), problem.object_names
-    spots = {item.name: (item.position, 0.0) for item in problem.objects}
-    spots |= {name: (goal, problem.tolerance) for name, goal in problem.goals.items()}
-    found = []
+    apart, names, goals, found = footprints_apart(problem), problem.object_names, problem.goals, []
+    spots = [np.array(goals.get(item.name, item.position)[:2]) for item in problem.objects]
+    slack = [problem.tolerance if name in goals else 0.0 for name in names]
     for one, other in itertools.combinations(range(len(names)), 2):
-        pair = sorted((names[one], names[other]), key=lambda name: name not in problem.goals)
-        if pair[0] in problem.goals:
-            (here, slack), (there, more) = spots[pair[0]], spots[pair[1]]
-            most = np.abs(np.array(here[:2]) - there[:2]) + slack + more
-            if np.all(most < apart[one, other]):
-                found.append((pair[0], pair[1]))
+        if np.all(np.abs(spots[one] - spots[other]) + slack[one] + slack[other] < apart[one, other]):
+            first, then = sorted((names[one], names[other]), key=lambda name: name not in goals)
+            found += [(first, then)] if first in goals else []
     return found
-
-
-def _in_the_way(problem: Problem, found: dict[str, "_Reach"]) -> str:
-    """Say which object without a goal stands where another is to end, if one does."""
-    for name, other in _crowded(problem):
-        if other not in problem.goals and found[name].must_rest():
-            return f"{other} stands where {name} is to end; give {other} a goal elsewhere"
-    return ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -217,11 +171,6 @@ class _Reach:
     goal: Vector
     tolerance: float
 
-    @property
-    def is_met(self) -> bool:
-        """Whether the object is at its goal already."""
-        return math.dist(self.choices.start, self.goal) <= self.tolerance
-
     def fewest(self) -> int | None:
         """Return how many primitives bring the object to its goal, or None if none were found to."""
         found = next(candidates(self.choices, self.goal, self.tolerance, Effort(MOST_WORK)), None)
@@ -229,57 +178,47 @@ class _Reach:
 
     def is_impossible(self) -> bool:
         """Say whether it is proved that the object cannot meet its goal."""
-        return not self.is_met and (self.is_off_table() or self.is_out_of_reach())
+        is_met = math.dist(self.choices.start, self.goal) <= self.tolerance
+        return not is_met and (self.is_off_table() or (self.must_be_held() and self.must_rest()))
 
     def must_be_held(self) -> bool:
-        """Say whether it is proved that the object cannot meet its goal at rest."""
-        return not self.is_met and self.is_out_of_reach(at_rest=True)
+        """Say whether it is proved that the object cannot meet its goal at rest, on the table or anywhere."""
+        return self._is_beyond(np.zeros(3))
 
     def must_rest(self) -> bool:
         """Say whether it is proved that no lift can end at the goal."""
-        ends = map(self.choices.ending_with, np.flatnonzero(self.choices.held).tolist())
-        return all(_Reach(self.name, one, self.goal, self.tolerance).is_out_of_reach() for one in ends)
+        return all(map(self._is_beyond, self.choices.lifted[self.choices.held]))
 
     def is_off_table(self) -> bool:
         """Say whether the object would have to leave its room to come near enough to its goal."""
         spot = np.array(self.goal[:2])
         return bool(np.linalg.norm(spot - np.clip(spot, *self.choices.room)) > self.tolerance)
 
-    def is_out_of_reach(self, *, at_rest: bool = False) -> bool:
-        """Say whether it is proved that the object cannot come near enough, on the table or anywhere."""
-        away = np.array(self.goal) - self.choices.start
-        lifts = np.zeros((0, 3)) if at_rest else self.choices.lifted[self.choices.held]
-        ends = (away - lift for lift in (np.zeros(3), *lifts))
-        return all(_is_beyond(self.choices.settled, end, self.tolerance) for end in ends)
+    def _is_beyond(self, last: Float[np.ndarray, "3"]) -> bool:
+        """Say whether the goal is too far from all sums of moves, each with a last displacement."""
+        moves, away = self.choices.settled, np.array(self.goal) - self.choices.start - last
+        gap = away
+        if len(moves):
+            from scipy.optimize import nnls
+
+            gap = away - moves.T @ nnls(moves.T, away)[0]
+        distance = float(np.linalg.norm(gap))
+        if distance <= self.tolerance:
+            return False
+        direction = gap / distance
+        along = max(0.0, float(np.max(moves @ direction, initial=0.0)))
+        return float(direction @ away) - MOST_PRIMITIVES * along > self.tolerance
 
     def explain(self, is_proved: bool) -> str:
         """Say why the goal cannot be met, or where it was looked for in vain."""
         depth, _ = looked_at(self.choices, DEPTH)
         near = in_millimetres(nearest(self.choices, self.goal).miss, self.tolerance)
         allowed = f"{near} from it, {1000 * self.tolerance:g} mm are allowed"
-        if is_proved and not self.is_off_table():
-            said = f"{self.name} cannot reach its goal: out of every primitive's reach"
-        elif is_proved:
-            said = f"{self.name} cannot reach its goal without leaving the table"
+        if is_proved:
+            why = " without leaving the table" if self.is_off_table() else ": out of every primitive's reach"
+            said = f"{self.name} cannot reach its goal{why}"
         else:
             steps, vectors = looked_at(self.choices)
-            anywhere = nearest(self.choices, self.goal, anywhere=True).miss <= self.tolerance
             said = f"{self.name} was not brought to its goal by up to {steps} primitives"
-            said += " without leaving the table" if anywhere else ""
             said += f" ({vectors:,} combinations looked at)"
         return f"{said}; up to {depth} primitives bring it to {allowed}"
-
-
-def _is_beyond(moves: Float[np.ndarray, "k 3"], away: Float[np.ndarray, "3"], tolerance: float) -> bool:
-    """Say whether a point is farther than a tolerance from all sums of moves."""
-    gap = away
-    if len(moves):
-        from scipy.optimize import nnls
-
-        gap = away - moves.T @ nnls(moves.T, away)[0]
-    distance = float(np.linalg.norm(gap))
-    if distance <= tolerance:
-        return False
-    direction = gap / distance
-    along = max(0.0, float(np.max(moves @ direction, initial=0.0)))
-    return float(direction @ away) - MOST_PRIMITIVES * along > tolerance

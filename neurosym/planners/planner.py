@@ -1,6 +1,6 @@
 """What a planner is: a value that says what it reads, what it takes, how it solves, and how to install it.
 
-Ours stand in one dict (`catalogue.PLANNERS`); anybody's own is one more (docs/own-planner.md).
+Ours stand in one dict (`registry.PLANNERS`); anybody's own is one more (docs/own-planner.md).
 """
 
 import dataclasses
@@ -10,15 +10,15 @@ import time
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from enum import Enum
-from pathlib import Path
-from typing import Literal, Protocol, get_args
+from typing import Literal, TypeVar, get_args
 
+import msgspec
 import numpy as np
 
 from neurosym.checks import Float, check_kind
+from neurosym.choices import one_line
 from neurosym.errors import InvalidPlanner, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
-from neurosym.pddl.compiler import check_former
 from neurosym.pddl.syntax import ENCODINGS, SAS, STRIPS, EncodingName
 from neurosym.problems import LEGAL_NAME, Problem
 from neurosym.tasks.transition import PlanStep
@@ -47,23 +47,14 @@ class PlanStatus(Enum):
 
 @dataclass(frozen=True, slots=True)
 class PlanResult:
-    """The outcome of planning; finding no plan is an outcome, not an error.
+    """The outcome of planning; finding no plan is an outcome, not an error."""
 
-    Attributes:
-        status: How the search ended.
-        steps: The plan; empty unless solved or nearest.
-        seconds: How long it took [s].
-        reason: Why there is no plan, or what is to be said about the one found.
-        depth: How many primitives were looked ahead, by a search that ended there.
-        work: How much was looked at for it [states, see `effort`]; 0 if that is not known.
-    """
-
-    status: PlanStatus
-    steps: tuple[PlanStep, ...]
-    seconds: float
-    reason: str = ""
-    depth: int | None = None
-    work: int = 0
+    status: PlanStatus  #: How the search ended
+    steps: tuple[PlanStep, ...]  #: The plan; empty unless solved or nearest
+    seconds: float  #: How long it took [s]
+    reason: str = ""  #: Why there is no plan, or what is to be said about the one found
+    depth: int | None = None  #: How many primitives were looked ahead, by a search that ended there
+    work: int = 0  #: How much was looked at for it [states, see `Effort`]; 0 if that is not known
 
     @property
     def has_plan(self) -> bool:
@@ -73,24 +64,18 @@ class PlanResult:
 
 @dataclass(frozen=True, slots=True)
 class PlannerAnswer:
-    """What a PDDL planner says: the text of a plan if it found one.
+    """What a PDDL planner says: the text of a plan if it found one."""
 
-    Attributes:
-        status: How the search ended.
-        text: The plan in IPC form; empty unless solved.
-        seconds: How long it took [s].
-        reason: The planner's last words if there is no plan.
-        work: How much it looked at [states, see `effort`]; None if that is not known.
-    """
-
-    status: PlanStatus
-    text: str = ""
-    seconds: float = 0.0
-    reason: str = ""
-    work: int | None = None
+    status: PlanStatus  #: How the search ended
+    text: str = ""  #: The plan in IPC form; empty unless solved
+    seconds: float = 0.0  #: How long it took [s]
+    reason: str = ""  #: The planner's last words if there is no plan
+    work: int | None = None  #: How much it looked at [states, see `Effort`]; None if that is not known
 
 
 Option = Literal["encoding", "whole", "unit-costs"]
+PddlCall = Callable[..., PlannerAnswer]
+"""Takes the files of a domain and a problem, and `time_limit` [s], and returns what a program answers."""
 PredictEffects = Callable[[Float[np.ndarray, "M F"]], Float[np.ndarray, "M P 3"]]
 """Says what the network predicts each primitive to do to objects of these features [m]."""
 Tell = Callable[[str], None]
@@ -100,7 +85,28 @@ CEILING = 60.0
 ON_PAGE: tuple[EncodingName, ...] = (STRIPS,)
 
 
-def _say_nothing(text: str) -> None:
+_Given = TypeVar("_Given", PlanResult, PlannerAnswer)
+
+
+def checked(name: str, given: object, kind: type[_Given], source: str) -> _Given:
+    """Return what a function of somebody's own planner gives, its reason in one line.
+
+    Raises:
+        InvalidPlanner: If it is of another kind, or a part of it is.
+    """
+    if not isinstance(given, kind):
+        found, valid = type(given).__name__, kind.__name__
+        raise InvalidPlanner(name, f"gives a {found} from {source}; valid: a {valid}")
+    parts = {part.name: getattr(given, part.name) for part in dataclasses.fields(kind)}
+    try:
+        msgspec.convert(parts, kind, from_attributes=True)
+    except msgspec.ValidationError as error:
+        raise InvalidPlanner(name, f"gives a {kind.__name__} with a wrong part: {error}") from error
+    return dataclasses.replace(given, reason=one_line(given.reason, LONGEST_REASON))
+
+
+def say_nothing(text: str) -> None:
+    """Tell nobody."""
     del text
 
 
@@ -113,54 +119,28 @@ class PlannerMissing(NeurosymError):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Query:
-    """What a planner is asked.
+    """What a planner is asked."""
 
-    Attributes:
-        problem: The problem.
-        grounding: The learned domain; it says whether every step costs the same.
-        predict: What the network predicts; None for planners that do not read it, or where there is none.
-        time_limit: The user's ceiling, which may be infinite [s].
-        encoding: The encoding to plan in; None for the one that the planner does best with.
-        whole: Whether to plan for all objects at once instead of one by one.
-        work: How much may be looked at in all [states, see `effort`], for planners that count that.
-        tell: Told what is tried, by planners that try one thing after another.
-    """
-
-    problem: Problem
-    grounding: Grounding
+    problem: Problem  #: The problem
+    grounding: Grounding  #: The learned domain; it says whether every step costs the same
+    #: What the network predicts; None for planners that do not read it, or where there is none
     predict: PredictEffects | None = None
-    time_limit: float = CEILING
+    time_limit: float = CEILING  #: The user's ceiling, which may be infinite [s]
+    #: The encoding to plan in; None for the one that the planner does best with
     encoding: EncodingName | None = None
-    whole: bool = False
+    whole: bool = False  #: Whether to plan for all objects at once instead of one by one
+    #: How much may be looked at in all [states, see `Effort`], for planners that count that
     work: int = sys.maxsize
-    tell: Tell = _say_nothing
+    tell: Tell = say_nothing  #: Told what is tried, by planners that try one thing after another
 
     def __post_init__(self) -> None:
         check_kind("problem", self.problem, Problem, "a Problem")
         check_kind("grounding", self.grounding, Grounding, "a Grounding")
 
 
-class PddlCall(Protocol):
-    """Has a program read the files of a domain and a problem."""
-
-    def __call__(self, domain: Path, problem: Path, *, time_limit: float) -> PlannerAnswer:
-        """Return what the program answers before the time limit [s] is up."""
-        ...
-
-
 @dataclass(frozen=True, slots=True)
 class PddlProgram:
-    """What takes files of PDDL, or what PDDL is translated to.
-
-    Attributes:
-        call: Has it read the files and answer.
-        encodings: Those that it takes, the one it does best with first.
-        cell: Edge of the smallest cells that it is given at first, 0 for any [m]; a plan that is not true
-            when replayed is sought again on a finer grid.
-        aims: Whether its plans keep from the edges of the table, and give way to those that cost little more
-            and are likelier to come true.
-        costs: Whether it is told what steps cost; some programs read no prices.
-    """
+    """What takes files of PDDL, or what PDDL is translated to; `pddl_planner` says what each part is."""
 
     call: PddlCall
     encodings: tuple[EncodingName, ...] = ON_PAGE
@@ -169,17 +149,12 @@ class PddlProgram:
     costs: bool = True
 
     def encoding_for(self, planner: str, asked: EncodingName | None) -> EncodingName:
-        """Return the encoding asked for, or the one that the planner does best with.
-
-        Args:
-            planner: Name of the planner.
-            asked: The encoding asked for, if any.
+        """Return the encoding asked for, or the one that the planner of a name does best with.
 
         Raises:
             InvalidValue: If the planner does not take it.
         """
         if asked is not None and asked not in self.encodings:
-            check_former(asked)
             valid = ", ".join(sorted(self.encodings))
             raise InvalidValue(f"{planner} does not take the encoding {asked!r}; valid: {valid}.")
         return asked or self.encodings[0]
@@ -189,41 +164,32 @@ class PddlProgram:
 class Planner:
     """A planner.
 
-    Attributes:
-        name: What it is called on the command line and in the names of files.
-        about: What it is, in a sentence without a full stop.
-        solve: Solves a problem; finding no plan is a result.
-        reads: Whether it plans over what the operators promise, or over what the network predicts.
-        takes: The options that it takes.
-        depth: How many primitives it looks ahead; None if there is no limit.
-        is_exact: Whether counting finds no plan where it finds none.
-        ceiling: When it gives up if the user sets no limit [s]; infinite if its budget counts work instead,
-            so that what it finds does not depend on the machine.
-        program: What it gives files of PDDL to, if it does.
-        missing: Says what to do about what is not installed, or nothing if everything is.
-
     Raises:
         InvalidPlanner: If something of this cannot be.
     """
 
-    name: str
-    about: str
-    solve: Callable[[Query], PlanResult]
+    name: str  #: What it is called on the command line and in the names of files
+    about: str  #: What it is, in a sentence without a full stop
+    solve: Callable[[Query], PlanResult]  #: Solves a problem; finding no plan is a result
+    #: Whether it plans over what the operators promise, or over what the network predicts
     reads: Literal["operators", "network"] = "operators"
-    takes: frozenset[Option] = frozenset()
-    depth: int | None = None
-    is_exact: bool = False
+    takes: frozenset[Option] = frozenset()  #: The options that it takes
+    depth: int | None = None  #: How many primitives it looks ahead; None if there is no limit
+    is_exact: bool = False  #: Whether counting finds no plan where it finds none
+    #: When it gives up if the user sets no limit [s]; infinite if its budget counts work instead, so that
+    #: what it finds does not depend on the machine
     ceiling: float = CEILING
-    program: PddlProgram | None = None
+    program: PddlProgram | None = None  #: What it gives files of PDDL to, if it does
+    #: Says what to do about what is not installed, or nothing if everything is
     missing: Callable[[], str] = str
 
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not LEGAL_NAME.fullmatch(self.name):
             raise InvalidPlanner(repr(self.name), "is no name; valid: a lower-case letter, a-z, 0-9, hyphens")
-        known = {SAS, *ENCODINGS}
+        known, encodings = {SAS, *ENCODINGS}, self.encodings
         is_time = isinstance(self.ceiling, int | float) and not isinstance(self.ceiling, bool)
         takes = isinstance(self.takes, Collection) and {*self.takes} <= {*get_args(Option)}
-        encodings = self.encodings
+        is_known = not self.program or (encodings and {*encodings} <= known)
         for part, given, is_right, valid in (
             ("solve", self.solve, callable(self.solve), "a function of a Query"),
             ("missing", self.missing, callable(self.missing), "a function that returns text"),
@@ -231,12 +197,7 @@ class Planner:
             ("takes", self.takes, takes, "encoding, whole, unit-costs"),
             ("ceiling", self.ceiling, is_time and self.ceiling > 0, "a time above 0 s"),
             ("reads", self.reads, self.reads in ("operators", "network"), "operators, network"),
-            (
-                "encodings",
-                encodings,
-                not self.program or (encodings and {*encodings} <= known),
-                f"one or more of {', '.join(sorted(known))}",
-            ),
+            ("encodings", encodings, is_known, f"one or more of {', '.join(sorted(known))}"),
         ):
             if not is_right:
                 raise InvalidPlanner(self.name, f"has {part} = {given!r}; valid: {valid}")
@@ -250,11 +211,8 @@ class Planner:
 # What a search may spend: work, which is counted, and never more time than the user allows.
 #
 # Plans must not depend on how fast a machine is, or how busy. So every budget of ours counts what is looked
-# at. A limit of time is the user's own ceiling: it ends planning as a whole, with no plan instead of
-# another one.
-#
-# Where several searches share a budget, all count in states: one that A* without a heuristic looks at is 1.
-# Others weigh as many of these as they take as long as.
+# at, in states: one that A* without a heuristic looks at is 1, and others weigh as many of these as they take
+# as long as. A limit of time ends planning as a whole, with no plan instead of another one.
 
 PLACE = 10
 """How many states a place, a candidate or a beginning of a plan counts for that is looked at in Python."""
@@ -272,43 +230,26 @@ class WorkIsUp(Exception):
 
 @dataclasses.dataclass(slots=True)
 class Effort:
-    """What was spent of a budget.
+    """What was spent of a budget."""
 
-    Attributes:
-        work: How much may be looked at: states, or beginnings of plans and ways to join them.
-        deadline: When the user's time is up, by `time.perf_counter()` [s].
-        spent: How much was.
-    """
-
+    #: How much may be looked at: states, or beginnings of plans and ways to join them
     work: int = sys.maxsize
-    deadline: float = math.inf
-    spent: int = 0
+    deadline: float = math.inf  #: When the user's time is up, by `time.perf_counter()` [s]
+    spent: int = 0  #: How much was
 
     def spend(self, amount: int = 1) -> bool:
-        """Count some work, and say whether any is left to be spent.
-
-        Args:
-            amount: How much.
-
-        Raises:
-            TimeIsUp: If the deadline has passed.
-        """
+        """Count some work, and say whether any is left; `TimeIsUp` is raised if the deadline has passed."""
         check_time(self.deadline)
         self.spent += amount
         return not self.is_used_up
 
     @property
-    def part(self) -> "Effort":
-        """What is left, to be spent by what goes on beside others; its sum is counted here when it ends."""
-        return Effort(max(0, self.work - self.spent), self.deadline)
+    def left(self) -> float:
+        """How much time is left, which may be infinite [s]."""
+        return self.deadline - time.perf_counter()
 
     def check(self) -> None:
-        """Raise if nothing may be spent any longer.
-
-        Raises:
-            TimeIsUp: If the deadline has passed.
-            WorkIsUp: If the budget is spent.
-        """
+        """Raise `TimeIsUp` or `WorkIsUp` if nothing may be spent any longer."""
         check_time(self.deadline)
         if self.is_used_up:
             raise WorkIsUp
@@ -326,14 +267,9 @@ def check_time(deadline: float) -> None:
 
 
 def within(time_limit: float, search: Callable[[float], PlanResult]) -> PlanResult:
-    """Search until a deadline; if it passes, that is the result, whatever was found by then.
+    """Search until a deadline by `time.perf_counter()`, so many seconds from now, and say how long that took.
 
-    Args:
-        time_limit: The user's ceiling, which may be infinite [s].
-        search: Searches until a deadline by `time.perf_counter()` [s].
-
-    Returns:
-        What was found, with the seconds that it took.
+    If it passes, that is the result, whatever was found by then.
     """
     begin = time.perf_counter()
     try:
@@ -342,9 +278,3 @@ def within(time_limit: float, search: Callable[[float], PlanResult]) -> PlanResu
         reason = f"the time limit of {time_limit:g} s cut in"
         found = PlanResult(PlanStatus.TIMEOUT, (), 0.0, reason)
     return dataclasses.replace(found, seconds=time.perf_counter() - begin)
-
-
-def all_spent(work: int) -> PlanResult:
-    """Return the result of searches that spent their common budget of work, without a plan."""
-    reason = f"the budget of {work:,} states for a plan was used up"
-    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason)

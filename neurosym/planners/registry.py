@@ -6,10 +6,9 @@ asked for, objects stand at places or on and in one another, and nothing is led 
 
 import dataclasses
 import math
-import reprlib
 import sys
-from collections.abc import Callable, Hashable
-from contextlib import chdir, redirect_stdout
+from collections.abc import Callable, Iterator
+from contextlib import chdir, contextmanager, redirect_stdout
 from functools import partial
 from io import StringIO
 from pathlib import Path
@@ -18,18 +17,35 @@ import msgspec
 
 from neurosym.checks import check_callable, check_kind
 from neurosym.choices import admit, is_factory, load_factory, one_line, told
-from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice, counted, shortened
+from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice, shortened
 from neurosym.grounding import Grounding
-from neurosym.pddl.compiler import domain_text, problem_text
 from neurosym.pddl.grid import check_on_table
-from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.syntax import STRIPS, EncodingName
-from neurosym.planners.pddl_search import FILES, answered, ask
+from neurosym.pddl.syntax import NUMERIC, SAS, STRIPS, EncodingName
+from neurosym.planners.action_counts import plan_counting
+from neurosym.planners.bfs import (
+    DEPTH,
+    branching_of,
+    plan_bfs,
+    plan_related,
+    predicted_branching,
+    why_not_deeper,
+)
+from neurosym.planners.external import (
+    LAMA_FIRST,
+    PLAN,
+    UNSOLVABLE,
+    Program,
+    Search,
+    missing,
+    plan_fast_downward,
+    plan_program,
+)
+from neurosym.planners.no_plan import explain_clash, explain_no_plan
+from neurosym.planners.pddl_search import pddl_planner
 from neurosym.planners.planner import (
     LONGEST_REASON,
-    UNTOLD,
+    ON_PAGE,
     Option,
-    PddlProgram,
     Planner,
     PlannerMissing,
     PlanResult,
@@ -37,24 +53,150 @@ from neurosym.planners.planner import (
     PredictEffects,
     Query,
     Tell,
-    check_time,
-    within,
+    checked,
+    say_nothing,
 )
-from neurosym.planners.planner_table import PLANNERS
-from neurosym.problems import NEAR_TABLE, Problem, spot_named
+from neurosym.problems import NEAR_TABLE, Problem
 from neurosym.tasks.pair_goals import why_no_relation
-from neurosym.tasks.supports import is_reached, is_relational, relations_of
-from neurosym.tasks.task import Task, understand, with_places
-from neurosym.tasks.transition import PlanStep, State, apply, missed, refusal, start, validate
+from neurosym.tasks.task import is_reached, is_relational, relations_of, understand
+from neurosym.tasks.transition import PlanStep, validate
 
+_JAVA = ("java", "a Java runtime of version 17 or later")
+_KAIROS = (
+    *("{scripts}/kairos", "solve", "{domain}", "{problem}", "--timeout", "{seconds}"),
+    *("--no-improvement", "1", "--threads", "1", "--output", "{plan}"),
+)
+_ENHSP = (
+    *("java", "-Xmx1g", "-XX:CompressedClassSpaceSize=64m", "-XX:-UsePerfData"),
+    *("-jar", "{package}/ENHSP/enhsp.jar", "-o", "{domain}", "-f", "{problem}"),
+    *("-planner", "sat-hadd", "-sp", "{plan}"),
+)
+_LPG = ("{package}/lpg", "-o", "{domain}", "-f", "{problem}", "-n", "1", "-seed", "1", "-out", "{plan}")
+_SYMK = (
+    *("{python}", "{package}/symk/fast-downward.py", "--plan-file", "{plan}", "{domain}", "{problem}"),
+    *("--search-options", "--search", "sym_bd()"),
+)
+COARSE = 0.02
+"""Edge of the cells for planners that fine grids are too much for [m]."""
+
+
+def _fast_downward(name: str, about: str, search: str | None = None) -> Planner:
+    call = partial(plan_fast_downward, searches=(Search(search),)) if search else plan_fast_downward
+    return pddl_planner(
+        name, about, call, (SAS, *ON_PAGE), missing=missing, ceiling=math.inf, aims=search is None
+    )
+
+
+def _called(name: str, about: str, program: Program, *, numbers: bool = False) -> Planner:
+    """Return a planner of what takes the page, or numbers too; others begin with a coarse grid."""
+    encodings, cell = ((NUMERIC, *ON_PAGE), 0.0) if numbers else (ON_PAGE, COARSE)
+    return pddl_planner(name, about, partial(plan_program, program=program), encodings, cell, program.missing)
+
+
+def _breadth_first(query: Query, *, foresees: bool) -> PlanResult:
+    """Search over what the network predicts, or where there is none, over what the operators promise.
+
+    Among relations, what a network foresees of each pair counts, or what rehearsals showed for its kind.
+    """
+    problem, grounding = query.problem, query.grounding
+    if is_relational(problem, grounding):
+        if is_reached(problem, grounding):
+            return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
+        problem = problem if foresees else msgspec.structs.replace(problem, foreseen={})
+        if reason := why_no_relation(problem, grounding):
+            return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
+        return plan_related(problem, grounding, time_limit=query.time_limit)
+    if query.predict is None:
+        table = branching_of(problem, grounding)
+    else:
+        table = predicted_branching(problem, grounding, query.predict(problem.scene().features))
+    result = plan_bfs(problem, table, grounding.table, time_limit=query.time_limit)
+    if result.status is not PlanStatus.NOT_FOUND:
+        return result
+    why, is_proved = explain_no_plan(problem, grounding, branching=table, depth=result.depth)
+    over = "by what the network predicts, " if query.predict else ""
+    deeper = "" if is_proved else why_not_deeper(table)
+    return _explained(result, why and f"{over}{why}{deeper}", is_proved)
+
+
+def _count_primitives(query: Query) -> PlanResult:
+    """Count how often each primitive must be done to each object."""
+    problem, grounding = query.problem, query.grounding
+    if reason := explain_clash(problem, grounding):
+        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
+    result = plan_counting(problem, grounding, time_limit=query.time_limit)
+    if result.status is not PlanStatus.NOT_FOUND:
+        return result
+    return _explained(result, *explain_no_plan(problem, grounding))
+
+
+def _explained(result: PlanResult, why: str, is_proved: bool) -> PlanResult:
+    status = PlanStatus.UNSOLVABLE if is_proved else result.status
+    return dataclasses.replace(result, status=status, reason=why or result.reason)
+
+
+_SEARCHES = (
+    Planner(
+        "bfs",
+        "the paper's breadth-first search over what the model predicts: 3 primitives, or steps of relations",
+        partial(_breadth_first, foresees=True),
+        reads="network",
+        depth=DEPTH,
+        ceiling=math.inf,
+    ),
+    Planner(
+        "bfs-operators",
+        "the same search over what the operators promise",
+        partial(_breadth_first, foresees=False),
+        depth=DEPTH,
+        ceiling=math.inf,
+    ),
+    Planner(
+        "counting",
+        "the fewest primitives there can be without places, by counting how often each is done",
+        _count_primitives,
+        takes=frozenset({"unit-costs"}),
+        is_exact=True,
+        ceiling=math.inf,
+    ),
+)
+PROGRAMS = (
+    _fast_downward(
+        "fast-downward", "Fast Downward: the cheapest plan if 256 MB suffice for it, else LAMA's first"
+    ),
+    _fast_downward("lama-first", "Fast Downward's LAMA, the first plan it finds", LAMA_FIRST),
+    _fast_downward("lmcut", "Fast Downward's A* with landmark cuts: the cheapest plan", "astar(lmcut())"),
+    _called(
+        "kairos",
+        "Kairos, on numbers or on a grid",
+        Program("Kairos", "kairos", _KAIROS, f"{PLAN}*", (10,), distribution="kairos-planner"),
+        numbers=True,
+    ),
+    _called(
+        "enhsp",
+        "ENHSP, on numbers (needs Java)",
+        Program("ENHSP", "up_enhsp", _ENHSP, no_plan="nsolvable", needs=_JAVA),
+        numbers=True,
+    ),
+    _called(
+        "lpg",
+        "LPG-td, local search on numbers: soon there, with longer plans",
+        Program("LPG", "up_lpg", _LPG, plans=f"{PLAN}*", no_plan="The problem is unsolvable"),
+        numbers=True,
+    ),
+    _called(
+        "symk",
+        "SymK, symbolic search: the cheapest plan on its grid",
+        Program("SymK", "up_symk", _SYMK, unsolvable=(*UNSOLVABLE, 12)),
+    ),
+)
+PLANNERS: dict[str, Planner] = {planner.name: planner for planner in (*_SEARCHES, *PROGRAMS)}
+"""The planners, by the name that the command line knows them by; `register_planner` adds one."""
 Replanner = Callable[[Problem, Grounding], PlanResult]
 """Plans from where things are now, with what is now believed of them."""
 OURS = dict(PLANNERS)
-MOST_STEPS = 60_000
-"""How many steps are looked at."""
 BREADTH_FIRST = ("bfs", "bfs-operators")
-"""These search themselves: the first by what a network foresees of each pair, the other by what rehearsals
-showed for its kind."""
+"""These search among relations themselves."""
 
 
 def plan(
@@ -83,7 +225,7 @@ def plan(
             not given.
         whole: For PDDL planners, solve for all objects at once instead of one by one.
         costs: Whether steps cost the more the rarer they keep their promise; otherwise each costs 1.
-        work: How much may be looked at in all [states, see `effort`], for PDDL planners; only each search
+        work: How much may be looked at in all [states, see `Effort`], for PDDL planners; only each search
             has a budget of its own, if not given.
         tell: Told what is tried, if given.
 
@@ -102,28 +244,36 @@ def plan(
             raise InvalidValue(f"time_limit = {time_limit} s must be above 0 s.")
     if work is not None:
         check_kind("work", work, int, "a number of states")
-    if tell is not None:
-        check_callable("tell", tell, "a function of a text")
-    if predict is not None:
-        check_callable("predict", predict, "a function from features (M, F) to effects (M, P, 3)")
+    for name, given, valid in (
+        ("tell", tell, "a function of a text"),
+        ("predict", predict, "a function from features (M, F) to effects (M, P, 3)"),
+    ):
+        if given is not None:
+            check_callable(name, given, valid)
     chosen = planner_named(planner) if isinstance(planner, str) else planner
     _check_planner(chosen, "given")
-    is_ours = OURS.get(chosen.name) is chosen
     check_options(chosen, encoding=encoding, whole=whole, costs=costs)
     for item in problem.objects:
         check_on_table(item, grounding, off=NEAR_TABLE)
     _check_installed(chosen)
-    if not costs:
-        grounding = msgspec.structs.replace(grounding, unit_costs=True)
-    read = predict if chosen.reads == "network" else None
-    ceiling = chosen.ceiling if time_limit is None else time_limit
-    query = Query(problem, grounding, read, ceiling, encoding, whole, sys.maxsize if work is None else work)
-    query = query if tell is None else dataclasses.replace(query, tell=tell)
-    chosen = _by_relations(chosen, query, is_ours=is_ours)
-    result = chosen.solve(query) if is_ours else solve_checked(chosen, query)
+    query = Query(
+        problem,
+        grounding if costs else msgspec.structs.replace(grounding, unit_costs=True),
+        predict if chosen.reads == "network" else None,
+        chosen.ceiling if time_limit is None else time_limit,
+        encoding,
+        whole,
+        sys.maxsize if work is None else work,
+        tell or say_nothing,
+    )
+    if is_relational(problem, grounding):
+        _check_relations(chosen, query)
+    result = chosen.solve(query) if OURS.get(chosen.name) is chosen else solve_checked(chosen, query)
     if result.has_plan or result.reason:
         return result
-    return dataclasses.replace(result, reason=_unexplained(chosen, result.status))
+    ends = {PlanStatus.TIMEOUT: "found no plan in time", PlanStatus.UNSOLVABLE: "says that there is no plan"}
+    said = ends.get(result.status, "failed, and does not say why")
+    return dataclasses.replace(result, reason=f"{chosen.name} {said}")
 
 
 def planner_named(name: str, domain_folder: Path | None = None) -> Planner:
@@ -145,12 +295,8 @@ def planner_named(name: str, domain_folder: Path | None = None) -> Planner:
         admit(name, domain_folder, InvalidPlanner)
     made = load_factory(name, InvalidPlanner)
     if callable(made) and not isinstance(made, Planner):
-        try:
+        with _guarded(name, "cannot be made", InvalidPlanner):
             made = made()
-        except (InvalidPlanner, KeyboardInterrupt):
-            raise
-        except BaseException as error:
-            raise InvalidPlanner(name, f"cannot be made: {told(error)}") from error
     _check_planner(made, name)
     if made.name in OURS:
         raise InvalidPlanner(name, f"has the name {made.name!r}, which one of ours has; give it another")
@@ -174,12 +320,6 @@ def register_planner(planner: Planner) -> None:
 def check_options(planner: Planner, *, encoding: EncodingName | None, whole: bool, costs: bool) -> None:
     """Refuse options that a planner does not take.
 
-    Args:
-        planner: The planner.
-        encoding: The encoding asked for, if any.
-        whole: Whether it is to solve for all objects at once.
-        costs: Whether steps have costs.
-
     Raises:
         InvalidValue: If it does not take the encoding or an option.
     """
@@ -195,37 +335,36 @@ def check_options(planner: Planner, *, encoding: EncodingName | None, whole: boo
 def solve_checked(planner: Planner, query: Query) -> PlanResult:
     """Ask somebody's own planner, and believe of what it returns only what comes true.
 
-    Args:
-        planner: The planner.
-        query: What it is asked.
-
     Raises:
         InvalidPlanner: If it raises an error, or returns no `PlanResult`.
     """
+    with _guarded(planner.name, "raises an error in solve", InvalidValue):
+        solved = planner.solve(query)
+    result = checked(planner.name, solved, PlanResult, "solve")
     try:
-        # What it prints is no part of our answer, and where it goes to is not where we write.
-        with redirect_stdout(StringIO()), chdir(Path.cwd()):
-            result = planner.solve(query)
-    except (InvalidValue, KeyboardInterrupt):
-        raise
-    except BaseException as error:
-        raise InvalidPlanner(planner.name, f"raises an error in solve: {told(error)}") from error
-    _check_result(planner.name, result)
-    result = dataclasses.replace(result, reason=one_line(result.reason, LONGEST_REASON))
-    if unknown := _unknown(result, query):
-        return PlanResult(PlanStatus.FAILED, (), result.seconds, f"its plan names {unknown}")
+        for step in result.steps:
+            _look_up(step, query)
+    except (UnknownChoice, InvalidValue) as error:
+        reason = one_line(f"its plan names what there is not: {error}", LONGEST_REASON)
+        return PlanResult(PlanStatus.FAILED, (), result.seconds, reason)
     if result.status is PlanStatus.SOLVED and planner.reads == "operators":
-        checked = validate(result.steps, query.problem, query.grounding)
-        if not checked.valid:
-            reason = f"its plan is not true when replayed: {checked.reason}"
+        replay = validate(result.steps, query.problem, query.grounding)
+        if not replay.valid:
+            reason = f"its plan is not true when replayed: {replay.reason}"
             return PlanResult(PlanStatus.FAILED, (), result.seconds, reason)
     return result
 
 
-def _unexplained(planner: Planner, status: PlanStatus) -> str:
-    """Say in a planner's place why it has no plan, where it says nothing."""
-    ends = {PlanStatus.TIMEOUT: "found no plan in time", PlanStatus.UNSOLVABLE: "says that there is no plan"}
-    return f"{planner.name} {ends.get(status, 'failed, and does not say why')}"
+@contextmanager
+def _guarded(name: str, fails: str, *passed: type[Exception]) -> Iterator[None]:
+    """Name somebody's own planner in its errors; what it prints is dropped, and we stay where we are."""
+    try:
+        with redirect_stdout(StringIO()), chdir(Path.cwd()):
+            yield
+    except BaseException as error:
+        if isinstance(error, (*passed, KeyboardInterrupt)):
+            raise
+        raise InvalidPlanner(name, f"{fails}: {told(error)}") from error
 
 
 def _check_planner(planner: object, name: str) -> None:
@@ -239,199 +378,42 @@ def _check_planner(planner: object, name: str) -> None:
 
 def _check_installed(planner: Planner) -> None:
     """Raise `PlannerMissing`, which says what to do, unless a planner is installed."""
-    try:
-        with redirect_stdout(StringIO()):
-            remedy = planner.missing()
-    except KeyboardInterrupt:
-        raise
-    except BaseException as error:
-        raise InvalidPlanner(planner.name, f"raises an error in missing: {told(error)}") from error
+    with _guarded(planner.name, "raises an error in missing"):
+        remedy = planner.missing()
     if not isinstance(remedy, str):
         raise InvalidPlanner(planner.name, f"gives {remedy!r} from missing; valid: text")
     if remedy:
         raise PlannerMissing(planner.name, remedy)
 
 
-def _check_result(name: str, result: object) -> None:
-    """Raise `InvalidPlanner` unless something is a result, part by part."""
-    if not isinstance(result, PlanResult):
-        raise InvalidPlanner(name, f"gives a {type(result).__name__} from solve; valid: a PlanResult")
-    is_steps = isinstance(result.steps, tuple | list) and all(
-        isinstance(step, PlanStep) and isinstance(step.operator, str) and isinstance(step.object, str)
-        for step in result.steps
-    )
-    for part, is_right, valid in (
-        ("status", isinstance(result.status, PlanStatus), "a PlanStatus"),
-        ("steps", is_steps, "a tuple of PlanStep"),
-        ("seconds", isinstance(result.seconds, int | float) and math.isfinite(result.seconds), "a number"),
-        ("reason", isinstance(result.reason, str), "text"),
-    ):
-        if not is_right:
-            given = reprlib.repr(getattr(result, part))
-            raise InvalidPlanner(name, f"gives a result with {part} = {given}; valid: {valid}")
-
-
-def _unknown(result: PlanResult, query: Query) -> str:
-    """Name the first operator, object or place of a plan that there is not, or return nothing."""
-    grounding, names = query.grounding, query.problem.object_names
-    carries = {operator.name: grounding.carries(operator) for operator in grounding.every_operator}
-    places = with_places(query.problem, grounding).places if any(carries.values()) else {}
-    for step in result.steps:
-        if grounding.relation_named(step.base):
-            if unknown := [name for name in (step.object, step.place) if name not in names]:
-                return f"the object {shortened(unknown[0])!r}, which the problem does not have"
-            continue
-        if step.base not in carries:
-            return f"the operator {shortened(step.operator)!r}, which the domain does not have"
-        if step.object not in names:
-            return f"the object {shortened(step.object)!r}, which the problem does not have"
-        known = places if carries[step.base] else {"": None}
-        if step.place not in known and not (carries[step.base] and spot_named(step.place)):
-            return f"the place {shortened(step.place)!r} for {step.operator}, which the problem does not have"
-    return ""
-
-
-def _by_relations(planner: Planner, query: Query, *, is_ours: bool) -> Planner:
-    """Return a planner such that it plans with relations, if that is what is asked.
-
-    It may be one that somebody wrote, who may do with relations what they like.
-    """
+def _look_up(step: PlanStep, query: Query) -> None:
+    """Raise `UnknownChoice` or `InvalidValue` if a step names what there is not."""
     problem, grounding = query.problem, query.grounding
-    if not is_relational(problem, grounding):
-        return planner
-    relations_of(grounding, problem)
-    takers = tuple(
-        one.name for one in (*PLANNERS.values(), planner) if one.program and STRIPS in one.program.encodings
-    )
+    problem.object_named(step.object)
+    if grounding.relation_named(step.base):
+        problem.object_named(step.place)
+    elif grounding.carries(grounding.operator_named(step.base)):
+        understand(problem, grounding).flat.place_named(step.place)
+    elif step.place:
+        raise InvalidValue(f"{step.operator} goes to no place, and {shortened(step.place)!r} is named.")
+
+
+def _check_relations(planner: Planner, query: Query) -> None:
+    """Refuse to ask a planner for relations that it, or the encoding, does not know.
+
+    Somebody's own may do with relations what they like.
+    """
+    problem = query.problem
+    relations_of(query.grounding, problem)
     if query.encoding not in (None, STRIPS):
         raise InvalidValue(
             f"The problem {problem.name} is one of relations, which the encoding {query.encoding} cannot "
             f"say; valid: {STRIPS}."
         )
-    if planner.name in takers:
-        assert planner.program is not None
-        solve = partial(_plan_related, program=planner.program)
-        return dataclasses.replace(planner, solve=solve)
-    if planner.name in BREADTH_FIRST and is_ours:
-        return dataclasses.replace(
-            planner, solve=partial(_breadth_first, foresees=planner.reads == "network")
+    takers = {*BREADTH_FIRST, *(one.name for one in (*PLANNERS.values(), planner) if STRIPS in one.encodings)}
+    is_own = planner.program is None and OURS.get(planner.name) is not planner
+    if planner.name not in takers and not is_own:
+        raise InvalidValue(
+            f"The problem {problem.name} is one of relations, which {planner.name} does not take; valid: "
+            f"{', '.join(sorted(takers))}."
         )
-    if planner.program is None and not is_ours:
-        return planner
-    raise InvalidValue(
-        f"The problem {problem.name} is one of relations, which {planner.name} does not take; valid: "
-        f"{', '.join(sorted((*takers, *BREADTH_FIRST)))}."
-    )
-
-
-def _plan_related(query: Query, *, program: PddlProgram) -> PlanResult:
-    """Solve a problem with a PDDL planner, and believe the plan only if its replay is right."""
-    problem = query.problem
-    return _told_at_once(problem, query) or within(
-        query.time_limit, partial(_search_related, query, problem, program)
-    )
-
-
-def _breadth_first(query: Query, *, foresees: bool) -> PlanResult:
-    problem = query.problem if foresees else msgspec.structs.replace(query.problem, foreseen={})
-    searched = partial(_plan_breadth_first, problem, query.grounding, time_limit=query.time_limit)
-    return _told_at_once(problem, query) or searched()
-
-
-def _told_at_once(problem: Problem, query: Query) -> PlanResult | None:
-    """Say that there is nothing to do, or that nothing can be done; None if it takes a search to tell."""
-    if is_reached(problem, query.grounding):
-        return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
-    if reason := why_no_relation(problem, query.grounding):
-        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)
-    return None
-
-
-def _search_related(query: Query, problem: Problem, program: PddlProgram, deadline: float) -> PlanResult:
-    """Print domain and problem, call the planner, read what it wrote, and replay it."""
-    grounding = query.grounding
-    check_time(deadline)
-    costs = program.costs
-    texts = domain_text(grounding, costs=costs), problem_text(problem, grounding, costs=costs)
-    answer = ask(program, texts, FILES, deadline)
-    work = UNTOLD if answer.work is None else answer.work
-    if answer.status is PlanStatus.UNSOLVABLE:
-        reason = f"no plan with the places that were drawn{_why_none(problem, query)}"
-        return PlanResult(PlanStatus.NOT_FOUND, (), answer.seconds, reason, work=work)
-    found = answered(answer, lambda text: parse_plan(text, Path("its plan"), grounding, problem))
-    if found.status is PlanStatus.SOLVED:
-        checked = validate(found.steps, problem, grounding)
-        if not checked.valid:
-            said = f"the plan with relations is not true when replayed: {checked.reason}"
-            found = PlanResult(PlanStatus.FAILED, (), answer.seconds, said)
-    return dataclasses.replace(found, work=work)
-
-
-def _why_none(problem: Problem, query: Query) -> str:
-    """Name the objects with a goal on the table that nothing carries there."""
-    task = understand(problem, query.grounding)
-    fixed = [name for name in problem.unmet if name not in task.carriers]
-    if not fixed:
-        return ""
-    verb = "has a goal" if len(fixed) == 1 else "have goals"
-    return f"; {' and '.join(fixed)} {verb} on the table, and nothing carries it to places"
-
-
-def _plan_breadth_first(
-    problem: Problem, grounding: Grounding, *, time_limit: float = math.inf, most_steps: int = MOST_STEPS
-) -> PlanResult:
-    """Find a plan with the fewest steps, the first in breadth-first order.
-
-    This is the paper's planner (section III-D) for objects that bear one another. A step puts an object on or
-    into another one, or carries it to a place. What it leads to is what its operator promises; with which
-    pairs that is likely, a problem says as a network foresees it. Ends that were met before are not looked at
-    again. Where many objects stand around, sequences of three are too many, so it stops once so many steps
-    were looked at, possible or not.
-    """
-    task = understand(problem, grounding)
-    first, steps = start(task), _every_step(task)
-
-    def search(deadline: float) -> PlanResult:
-        level: list[tuple[tuple[PlanStep, ...], State]] = [((), first)]  # steps, and what they lead to
-        met, looked, depth = {_key(first)}, 0, 0
-        while level:
-            found, depth = list[tuple[tuple[PlanStep, ...], State]](), depth + 1
-            for before, now in level:
-                check_time(deadline)
-                for step in steps:
-                    looked += 1
-                    if refusal(task, now, step):
-                        continue
-                    then = apply(task, now, step)
-                    if _key(then) in met:
-                        continue
-                    met.add(_key(then))
-                    found.append(((*before, step), then))
-                    if missed(task, then) is None:
-                        return PlanResult(PlanStatus.SOLVED, found[-1][0], 0.0)
-                if looked > most_steps:
-                    reason = f"{counted(most_steps, 'step')} were looked at, {depth - 1} deep"
-                    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason, depth - 1)
-            level = found
-        reason = "no sequence of steps leads there with the places that were drawn"
-        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason, depth)
-
-    return within(time_limit, search)
-
-
-def _every_step(task: Task) -> tuple[PlanStep, ...]:
-    """List all steps there are: onto other objects first, in the order of the objects."""
-    puts = [PlanStep(put.name, *pair) for pair, found in task.puts.items() for put in found]
-    carried = [
-        PlanStep(task.carriers[name][0].name, name, place)
-        for name in task.names
-        if name in task.carriers
-        for place in task.places
-    ]
-    return (*puts, *carried)
-
-
-def _key(now: State) -> Hashable:
-    """Say what tells two ends apart: what bears what, and what stands at which place."""
-    borne = ((name, one.by, one.state.symbol) for name, one in now.supports.items())
-    return frozenset(borne), frozenset(now.stands.items())

@@ -4,7 +4,6 @@ An engine runs in a process of its own, because the import is slow, engines writ
 folder, and their own time-outs leave processes behind.
 """
 
-import sys
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -17,7 +16,6 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.compiler import Action, domain_text, excerpt_for, parameters_of, problem_text
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.syntax import STRIPS, EncodingName
-from neurosym.planners.external import UNSOLVABLE, Program
 from neurosym.problems import Problem
 from neurosym.tasks.transition import PlanStep
 
@@ -25,10 +23,6 @@ if TYPE_CHECKING:
     from unified_planning.model import FNode, Parameter, State
     from unified_planning.model import Problem as Task
     from unified_planning.plans import Plan, SequentialPlan
-
-
-_EXIT = {"UNSOLVABLE_PROVEN": 10, "UNSOLVABLE_INCOMPLETELY": 12, "TIMEOUT": 21}
-"""How the process of an engine ends, as Fast Downward does, by what unified-planning says."""
 
 
 def to_unified_planning(
@@ -82,59 +76,16 @@ def _text(plan: "Plan") -> str:
     return "".join(f"({line})\n" for line in lines)
 
 
-def engine_program(engine: str, package: str = "unified_planning") -> Program:
-    """Return an engine of unified-planning as a program.
-
-    Args:
-        engine: What unified-planning calls it.
-        package: The Python package that brings it.
-    """
-    ours = str(Path(__file__).resolve().parents[2])
-    code = f"import sys; sys.path.insert(0, {ours!r}); import {__name__} as run; run.main(*sys.argv[1:])"
-    command = ("{python}", "-c", code, "{domain}", "{problem}", "{plan}", engine)
-    return Program(f"{engine} through unified-planning", package, command, unsolvable=UNSOLVABLE)
-
-
-def main(domain: str, problem: str, plan: str, engine: str) -> None:
-    """Read, solve and write the plan, or end with an exit code that says how it went.
-
-    Args:
-        domain: File of the domain.
-        problem: File of the problem.
-        plan: File that the plan is written to.
-        engine: What unified-planning calls the engine.
-    """
-    from unified_planning.io import PDDLReader
-    from unified_planning.plans import PlanKind
-    from unified_planning.shortcuts import OneshotPlanner, get_environment
-
-    get_environment().credits_stream = None
-    task = PDDLReader().parse_problem(domain, problem)
-    with OneshotPlanner(name=engine) as planner:
-        result = planner.solve(task)
-    if result.plan is None:
-        said = result.status.name
-        sys.exit(_EXIT.get(said, f"unified-planning says {said}"))
-    Path(plan).write_text(_text(result.plan.convert_to(PlanKind.SEQUENTIAL_PLAN, task)))
-
-
 # Whether a plan is valid by the printed PDDL, as unified-planning's validator says, which is not ours
-
-_PLAIN = str.maketrans({"(": " ", ")": None, ",": None})
 
 
 @dataclass(frozen=True, slots=True)
 class PddlVerdict:
-    """What a validator says of a plan.
+    """What a validator says of a plan."""
 
-    Attributes:
-        valid: Whether it is a plan of the domain and the problem.
-        reason: Why not; empty if it is.
-        failed: Number of the action that cannot be performed, counted from 1; None if every one can.
-    """
-
-    valid: bool
-    reason: str = ""
+    valid: bool  # whether it is a plan of the domain and the problem
+    reason: str = ""  # why not; empty if it is
+    # number of the action that cannot be performed, counted from 1; None if every one can
     failed: int | None = None
 
 
@@ -149,35 +100,6 @@ def validate_pddl(domain: str, problem: str, actions: Sequence[Action]) -> PddlV
     Raises:
         InvalidValue: If domain or problem is no PDDL that unified-planning reads.
     """
-    if unknown := _unknown(domain, actions):
-        return unknown
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of what unified-planning imports, which is not ours to mend
-        from unified_planning.exceptions import UPException
-        from unified_planning.io import PDDLReader
-        from unified_planning.plans import ActionInstance, SequentialPlan
-        from unified_planning.shortcuts import get_environment
-
-        get_environment().credits_stream = None
-        part = excerpt_for(domain, problem, actions)
-        try:
-            task = PDDLReader().parse_problem_string(part.domain, part.problem)
-        except (UPException, SyntaxError, AssertionError) as error:
-            raise InvalidValue(f"unified-planning cannot read the printed PDDL: {error}.") from error
-        if misfit := _misfit(task, actions):
-            return misfit
-        steps = [
-            ActionInstance(
-                task.action(name),
-                tuple(task.environment.expression_manager.auto_promote(map(task.object, words))),
-            )
-            for name, *words in actions
-        ]
-        return _verdict(task, SequentialPlan(steps))
-
-
-def _unknown(domain: str, actions: Sequence[Action]) -> PddlVerdict | None:
-    """Say which action the domain does not have, or has with other parameters."""
     known = parameters_of(domain)
     for number, (name, *arguments) in enumerate(actions, start=1):
         if name not in known:
@@ -185,26 +107,37 @@ def _unknown(domain: str, actions: Sequence[Action]) -> PddlVerdict | None:
         if known[name] != len(arguments):
             takes = f"{name} takes {counted(known[name], 'argument')}, not {len(arguments)}"
             return PddlVerdict(False, takes, number)
-    return None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of what unified-planning imports, which is not ours to mend
+        from unified_planning.exceptions import UPException
+        from unified_planning.io import PDDLReader
+        from unified_planning.shortcuts import get_environment
+
+        get_environment().credits_stream = None
+        try:
+            task = PDDLReader().parse_problem_string(*excerpt_for(domain, problem, actions))
+        except (UPException, SyntaxError, AssertionError) as error:
+            raise InvalidValue(f"unified-planning cannot read the printed PDDL: {error}.") from error
+        return _verdict(task, actions)
 
 
-def _misfit(task: "Task", actions: Sequence[Action]) -> PddlVerdict | None:
-    """Say which action names an object that there is not, or of another type."""
+def _verdict(task: "Task", actions: Sequence[Action]) -> PddlVerdict:
+    """Say whether actions that the domain has are a plan."""
+    from unified_planning.engines import SequentialPlanValidator
+    from unified_planning.plans import ActionInstance, SequentialPlan
+
+    steps = []
     for number, (name, *arguments) in enumerate(actions, start=1):
         for word, parameter in zip(arguments, task.action(name).parameters, strict=True):
             if not task.has_object(word):
                 return PddlVerdict(False, f"the problem has no object {word}", number)
             if not parameter.type.is_compatible(task.object(word).type):
                 return PddlVerdict(False, f"{word} is no {parameter.type.name}", number)
-    return None
-
-
-def _verdict(task: "Task", plan: "SequentialPlan") -> PddlVerdict:
-    from unified_planning.engines import SequentialPlanValidator
-
+        objects = task.environment.expression_manager.auto_promote(map(task.object, arguments))
+        steps.append(ActionInstance(task.action(name), tuple(objects)))
     with SequentialPlanValidator() as validator:
         validator.skip_checks = True  # it doubts what it knows: costs that are functions of objects
-        if validator.validate(task, plan):
+        if validator.validate(task, plan := SequentialPlan(steps)):
             return PddlVerdict(True)
     return _why_not(task, plan)
 
@@ -219,8 +152,7 @@ def _why_not(task: "Task", plan: "SequentialPlan") -> PddlVerdict:
             given = dict(zip(step.action.parameters, step.actual_parameters, strict=True))
             if unmet := _unmet(task, state, step.action.preconditions, given):
                 return PddlVerdict(False, f"{unmet} does not hold", number)
-            then = simulator.apply(state, step)
-            if then is None:
+            if (then := simulator.apply(state, step)) is None:
                 return PddlVerdict(False, "its effects contradict each other", number)
             state = then
         return PddlVerdict(False, f"{_unmet(task, state, task.goals, {})} does not hold in the end")
@@ -237,5 +169,6 @@ def _unmet(
         for part in condition.args if condition.is_and() else [condition]:
             ground = put_in(part, given)
             if not evaluate(ground, state).is_true():
-                return f"({str(ground).translate(_PLAIN)})"
+                plain = str.maketrans({"(": " ", ")": None, ",": None})
+                return f"({str(ground).translate(plain)})"
     return ""

@@ -1,17 +1,17 @@
 """Choosing among distilled actions: many encode to a symbol, and some are more predictable than others.
 
 A good action does nearly the same to all objects of a category, and something that no other symbol's action
-does to them (`variety.py`). That is first reckoned from what a network without a bottleneck predicts, and
+does to them (`reliability.py`). That is first reckoned from what a network without a bottleneck predicts, and
 then measured: the few best of each symbol are auditioned in the world, and the best of those once more. By
-default, categories of objects are then given actions of their own where those do better (`own.py`). The paper
+default, categories of objects are then given actions of their own where those do better. The paper
 takes the candidate whose embedding is nearest to the code.
 """
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, partial
 from itertools import groupby
+from typing import Any
 
 import numpy as np
 
@@ -25,7 +25,6 @@ from neurosym.primitives.reliability import (
     CandidateEffects,
     Foresee,
     Judgement,
-    Performance,
     PredictOutcomes,
     best_set,
     foresee_displacement,
@@ -36,22 +35,16 @@ from neurosym.primitives.reliability import (
 )
 from neurosym.primitives.sampling import (
     Repertoire,
+    draw_scene,
     perform_each,
     sample_by_category,
     shared_by_all,
-    tasks_of,
     with_own,
 )
 from neurosym.world import ActionBox, Outcome, Scene, WorldFactory
 from neurosym.worlds.workers import Task
 
-# Own parameters: for each category of objects the candidates of each symbol that do best there.
-#
-# One action for a symbol has to serve every category, and is exact on few. So candidates are shortlisted
-# for each category by what a network without a bottleneck predicts, and auditioned on objects of that
-# category: many candidates on a few of them first, then fewer on others. Each performance has its action
-# moved by about a millimetre, so that what lies on an edge, and does something else a hair beside it, looks
-# as bad as it is.
+# Contests: candidates perform in rounds, fewer of them in each
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,8 +52,8 @@ class Round:
     """One round of auditions.
 
     Attributes:
-        candidates: How many of a symbol are auditioned for a category.
-        objects: On how many objects of the category each performs, others than in the rounds before.
+        candidates: How many of a symbol are auditioned, at most.
+        objects: On how many objects each performs, others than in the rounds before.
     """
 
     candidates: int
@@ -68,45 +61,53 @@ class Round:
 
 
 ROUNDS = Round(6, 8), Round(3, 8)
-"""Auditions of actions that displace objects."""
+"""Auditions of actions that displace objects of one category."""
 CARRYING_ROUNDS = Round(16, 4), Round(8, 4), Round(4, 8), Round(2, 16)
 """Auditions of actions that carry objects: plans use the best of them only, so that it must be sure."""
-OWN_OBJECTS_TO_PREDICT = 40
-"""Objects of the category on which the effects of every candidate are predicted."""
+SHARED_ROUNDS = Round(4, 24), Round(2, 24)
+"""Auditions of actions that serve all categories: who shone by luck is found out by the second."""
 MOVED = 0.001
 """Standard deviation of the change of each length of an action [m]."""
 _MOST_MOVED = 0.02  # as a share of what the length can be, where the box is small
-SAME, DIFFERENT = 0.02, 0.03
-"""Outcomes nearer than the first are the same, farther apart than the second clearly different [m]."""
-WORTH_KEEPING = 0.25
-"""Least sureness of a shared action that stays beside one of a category's own."""
+_MOVES = 0x6F78  # keeps these draws apart from those of other auditions and rehearsals
 
-_OWN_STREAM, _MOVES = 0x6F77, 0x6F78  # keep these draws apart from those of other auditions and rehearsals
+Groups = list[list[Primitive]]
+"""Candidates, in groups of which some are left each."""
 
 
 @dataclass(slots=True, eq=False)
-class Contest(ABC):
-    """Candidates that perform in rounds, fewer of them in each.
+class Contest:
+    """Candidates that perform on the same scenes.
 
     Attributes:
         scenes: What they perform on, one object in each.
+        groups: Those that are left.
+        close_round: Says from the groups, what was seen, and how many of a group are kept, who is left.
+        besides: How many of a group may be left in addition.
+        is_moved: Whether actions are moved a little.
         seen: How they turned out.
     """
 
-    scenes: tuple[Scene, ...]
-    seen: dict[Primitive, list[Performance]] = field(default_factory=dict, init=False)
+    scenes: Sequence[Scene]
+    groups: Groups
+    close_round: Callable[[Groups, dict[Primitive, list[Any]], int], Groups]
+    besides: int = 0
+    is_moved: bool = True
+    seen: dict[Primitive, list[Any]] = field(default_factory=dict, init=False)
 
-    @abstractmethod
-    def left(self) -> list[Primitive]:
-        """Return those that are left."""
-
-    @abstractmethod
-    def most_left(self, candidates: int) -> int:
-        """Say how many are left at most when so many of a symbol are."""
-
-    @abstractmethod
-    def close_round(self, kept: int) -> None:
-        """Keep so many of a symbol, the best by what was seen."""
+    def tasks(self, which: slice, box: ActionBox, seed: int) -> list[tuple[Primitive, list[Task]]]:
+        """Say what it takes to have those that are left perform on some of the scenes."""
+        left, count = [one for group in self.groups for one in group], len(self.scenes)
+        actions = [
+            moved(one, count, box, seed)
+            if self.is_moved
+            else np.tile(np.array(one.action, dtype=np.float64), (count, 1))
+            for one in left
+        ]
+        return [
+            (one, [*map(Task, self.scenes[which], rows[which])])
+            for one, rows in zip(left, actions, strict=True)
+        ]
 
 
 def audition_in_rounds(
@@ -114,141 +115,36 @@ def audition_in_rounds(
     contests: Sequence[Contest],
     rounds: Sequence[Round],
     world_factory: WorldFactory,
-    observe: Callable[[Outcome], Performance],
+    observed: Callable[[Outcome], Any],
     progress: Progress,
 ) -> None:
-    """Perform the candidates of all contests in rounds, their actions moved a little.
+    """Perform the candidates of all contests in rounds.
 
-    Args:
-        search: What the candidates are searched with.
-        contests: Who performs on what.
-        rounds: How many are left in each, and on how many scenes they perform.
-        world_factory: Builds the world of the auditions.
-        observe: Says of an outcome what is judged.
-        progress: Called after each performance.
+    Of each round its number of candidates are left, and perform on so many further scenes.
     """
-    box = made(world_factory).action_box
-    total = sum(one.objects * contest.most_left(one.candidates) for one in rounds for contest in contests)
-    done, end = 0, 0
+    box, done, end = made(world_factory).action_box, 0, 0
+    groups = [(len(group), contest.besides) for contest in contests for group in contest.groups]
+    total = sum(one.objects * min(size, one.candidates + more) for one in rounds for size, more in groups)
     for one, kept in zip(rounds, [*(one.candidates for one in rounds[1:]), 1], strict=True):
         which = slice(end, end := end + one.objects)
-        jobs = [(contest, primitive) for contest in contests for primitive in contest.left()]
-        tasks = [
-            [
-                *map(
-                    Task,
-                    contest.scenes[which],
-                    moved(primitive, len(contest.scenes), box, search.seed)[which],
-                )
-            ]
-            for contest, primitive in jobs
-        ]
+        jobs = [(contest, *job) for contest in contests for job in contest.tasks(which, box, search.seed)]
+        tasks = [tasks for *_, tasks in jobs]
         performed = perform_each(world_factory, tasks, search.workers, part(progress, done, total))
-        for (contest, primitive), outcomes in zip(jobs, performed, strict=True):
-            contest.seen.setdefault(primitive, []).extend(map(observe, outcomes))
         done += sum(map(len, tasks))
+        for (contest, primitive, _), outcomes in zip(jobs, performed, strict=True):
+            seen = contest.seen.setdefault(primitive, [])
+            begin = len(seen) if contest.is_moved else which.start  # where the same action is there twice
+            seen[begin:] = map(observed, outcomes)
         for contest in contests:
-            contest.close_round(kept)
+            contest.groups = contest.close_round(contest.groups, contest.seen, kept)
     if done < total:
         progress(total, total)
 
 
-@dataclass(slots=True, eq=False)
-class _OfCategory(Contest):
-    """The candidates for one category: for each symbol those that are left, the shared one first."""
-
-    groups: list[list[Primitive]]
-
-    def left(self) -> list[Primitive]:
-        return [one for group in self.groups for one in group]
-
-    def most_left(self, candidates: int) -> int:
-        return sum(min(len(group), 1 + candidates) for group in self.groups)
-
-    def close_round(self, kept: int) -> None:
-        """Keep the best of each symbol, best first; the shared one stays in front until the last."""
-        judged = [[judge(self.seen[one]) for one in group] for group in self.groups]
-        ranked = zip(self.groups, _ranked(judged), strict=True)
-        if kept == 1:
-            self.groups = [[group[best[0]], *([group[0]] if best[0] else [])] for group, best in ranked]
-        else:
-            self.groups = [
-                [group[0], *[group[number] for number in best if number][:kept]] for group, best in ranked
-            ]
-
-
-def choose_own(
-    search: Search,
-    shared: Sequence[Primitive],
-    world_factory: WorldFactory,
-    *,
-    foresee: Foresee = foresee_displacement,
-    rounds: Sequence[Round] = ROUNDS,
-) -> Repertoire:
-    """Choose for each category and symbol the candidate that does best there; keep the shared one if it adds.
-
-    Args:
-        search: What there is to choose from.
-        shared: The action that each symbol shares among categories, in the order of the symbols.
-        world_factory: Builds the world of the auditions.
-        foresee: How actions are judged by what is predicted.
-        rounds: Of the auditions, with fewer candidates in each.
-    """
-    world, features = made(world_factory), search.features
-    least = sum(one.objects for one in rounds)
-    sample = sample_by_category(world, search.categorise, least=least, seed=search.seed, stream=_OWN_STREAM)
-    symbols = np.array(symbols_of(search.categorise, features))
-    rivals = [
-        [other for other in search.candidates if other.symbol == one.symbol and other != one]
-        for one in shared
-    ]
-    contests = {}
-    for category, scenes in sample.scenes.items():
-        objects = np.concatenate([features[symbols == category], *(scene.features for scene in scenes)])
-        objects, count = objects[:OWN_OBJECTS_TO_PREDICT], rounds[0].candidates
-        few = shortlist_own(rivals, search.predict, objects, world.action_box, count, search.seed, foresee)
-        groups = [[one, *best] for one, best in zip(shared, few, strict=True)]
-        contests[category] = _OfCategory(scenes, groups)
-    with search.open_bar("auditioning for each category") as advance:
-        audition_in_rounds(search, [*contests.values()], rounds, world_factory, performance, advance)
-    return with_own(shared, {category: _chosen(contest) for category, contest in contests.items()})
-
-
-def shortlist_own(
-    groups: Sequence[Sequence[Primitive]],
-    predict: PredictOutcomes,
-    features: Float[np.ndarray, "M F"],
-    box: ActionBox,
-    count: int,
-    seed: int,
-    foresee: Foresee = foresee_displacement,
-) -> list[list[Primitive]]:
-    """Keep of each symbol the few candidates that are predicted to do best, beside those of the others.
-
-    Args:
-        groups: The candidates of each symbol.
-        predict: A network that sees the objects themselves and not their symbols.
-        features: Objects of one category.
-        box: What actions must stay inside.
-        count: How many are kept of each symbol.
-        seed: Where the changes of actions are drawn from.
-        foresee: How actions are judged by what is predicted.
-    """
-    judged: list[list[Judgement]] = [[] for _ in groups]
-    for group, judgements in zip(groups, judged, strict=True):
-        if not group:
-            continue
-        actions = np.concatenate([moved(one, len(features), box, seed) for one in group])
-        predicted = np.split(predict(np.tile(features, (len(group), 1)), actions), len(group))
-        judgements += map(foresee, predicted)
-    return [
-        [group[number] for number in best[:count]]
-        for group, best in zip(groups, _ranked(judged), strict=True)
-    ]
-
-
 def moved(primitive: Primitive, count: int, box: ActionBox, seed: int) -> Float[np.ndarray, "N A"]:
     """Move the lengths of an action a little, once for each object: on an object for all actions alike.
+
+    What lies on an edge, and does something else a hair beside it, then looks as bad as it is.
 
     Args:
         primitive: Whose action.
@@ -268,35 +164,111 @@ def _moves(count: int, size: int, seed: int) -> Float[np.ndarray, "N A"]:
     return np.array([np.random.default_rng([seed, _MOVES, n]).normal(size=size) for n in range(count)])
 
 
+# Own parameters: for each category of objects the candidates of each symbol that do best there.
+#
+# One action for a symbol has to serve every category, and is exact on few. So candidates are shortlisted
+# for each category by what a network without a bottleneck predicts, and auditioned on objects of that
+# category: many candidates on a few of them first, then fewer on others.
+
+_OWN_OBJECTS_TO_PREDICT = 40  # objects of the category on which the effects of every candidate are predicted
+SAME, DIFFERENT = 0.02, 0.03
+"""Outcomes nearer than the first are the same, farther apart than the second clearly different [m]."""
+_WORTH_KEEPING = 0.25  # least sureness of a shared action that stays beside one of a category's own
+_OWN_STREAM = 0x6F77  # keeps these draws apart from those of other auditions and rehearsals
+
+
+def choose_own(
+    search: Search,
+    shared: Sequence[Primitive],
+    world_factory: WorldFactory,
+    *,
+    foresee: Foresee = foresee_displacement,
+    rounds: Sequence[Round] = ROUNDS,
+) -> Repertoire:
+    """Choose for each category and symbol what does best there; keep the shared one if it adds something."""
+    world, features = made(world_factory), search.features
+    least = sum(one.objects for one in rounds)
+    sample = sample_by_category(world, search.categorise, least=least, seed=search.seed, stream=_OWN_STREAM)
+    symbols = np.array(symbols_of(search.categorise, features))
+    rivals = [
+        [other for other in search.candidates if other.symbol == one.symbol and other != one]
+        for one in shared
+    ]
+    contests = {}
+    for category, scenes in sample.scenes.items():
+        objects = np.concatenate([features[symbols == category], *(scene.features for scene in scenes)])
+        objects, count = objects[:_OWN_OBJECTS_TO_PREDICT], rounds[0].candidates
+        few = shortlist_own(rivals, search.predict, objects, world.action_box, count, search.seed, foresee)
+        groups = [[one, *best] for one, best in zip(shared, few, strict=True)]
+        contests[category] = Contest(scenes, groups, _close_own, besides=1)
+    with search.open_bar("auditioning for each category") as advance:
+        audition_in_rounds(search, [*contests.values()], rounds, world_factory, performance, advance)
+    return with_own(shared, {category: _chosen(contest) for category, contest in contests.items()})
+
+
+def _close_own(groups: Groups, seen: dict[Primitive, list[Any]], kept: int) -> Groups:
+    """Keep the best of each symbol, best first; the shared one stays in front until the last round."""
+    ranked, left = _ranked([[judge(seen[one]) for one in group] for group in groups]), Groups()
+    for group, best in zip(groups, ranked, strict=True):
+        if kept == 1:
+            left.append([group[best[0]], *([group[0]] if best[0] else [])])
+        else:
+            left.append([group[0], *[group[number] for number in best if number][:kept]])
+    return left
+
+
+def shortlist_own(
+    groups: Sequence[Sequence[Primitive]],
+    predict: PredictOutcomes,
+    features: Float[np.ndarray, "M F"],
+    box: ActionBox,
+    count: int,
+    seed: int,
+    foresee: Foresee = foresee_displacement,
+) -> Groups:
+    """Keep of each symbol the few candidates that are predicted to do best, beside those of the others.
+
+    Args:
+        groups: The candidates of each symbol.
+        predict: A network that sees the objects themselves and not their symbols.
+        features: Objects of one category.
+        box: What actions must stay inside.
+        count: How many are kept of each symbol.
+        seed: Where the changes of actions are drawn from.
+        foresee: How actions are judged by what is predicted.
+    """
+    judged: list[list[Judgement]] = []
+    for group in groups:
+        actions = [moved(one, len(features), box, seed) for one in group]
+        asked = np.tile(features, (len(group), 1))
+        predicted = np.split(predict(asked, np.concatenate(actions)), len(group)) if group else []
+        judged.append([*map(foresee, predicted)])
+    return [
+        [group[number] for number in best[:count]]
+        for group, best in zip(groups, _ranked(judged), strict=True)
+    ]
+
+
 def _ranked(judged: Sequence[Sequence[Judgement]]) -> list[list[int]]:
     """Rank the candidates of each symbol by what they are worth beside the best of the others.
 
     What carries objects is ranked by how surely it does: one that does is as good as several.
     """
-    if any(one.kind == "carried" for group in judged for one in group):
-        return [np.argsort([-one.sureness for one in group], kind="stable").tolist() for group in judged]
-    ends = np.cumsum([len(group) for group in judged]).tolist()
-    groups = [list(range(end - len(group), end)) for group, end in zip(judged, ends, strict=True)]
-    filled = [numbers for numbers in groups if numbers]
-    if not filled:
-        return [[] for _ in groups]
     flat = [judgement for group in judged for judgement in group]
-    effects = CandidateEffects(
-        np.array([[one.mean] for one in flat]), np.array([[one.sureness] for one in flat]), np.ones(1)
-    )
-    chosen, ranked = best_set(filled, effects), list[list[int]]()
-    for numbers in groups:
-        place = filled.index(numbers) if numbers else 0
-        values = worth_in_place(chosen, place, numbers, effects)
-        ranked.append(np.argsort(-np.array(values), kind="stable").tolist())
-    return ranked
+    if not flat or any(one.kind == "carried" for one in flat):
+        return [np.argsort([-one.sureness for one in group], kind="stable").tolist() for group in judged]
+    numbers = iter(range(len(flat)))
+    groups = [[next(numbers) for _ in group] for group in judged]
+    means, sureness = [[one.mean] for one in flat], [[one.sureness] for one in flat]
+    effects = CandidateEffects(np.array(means), np.array(sureness), np.ones(1))
+    ranked = iter(_best_of_each([group for group in groups if group], effects))
+    return [[number - group[0] for number in next(ranked)] if group else [] for group in groups]
 
 
-def _chosen(contest: _OfCategory) -> list[Primitive]:
+def _chosen(contest: Contest) -> list[Primitive]:
     """Return the best of each symbol, and the shared ones that add something to them."""
-    best = [group[0] for group in contest.groups]
+    kept = [group[0] for group in contest.groups]
     effects = {one: judge(contest.seen[one]) for group in contest.groups for one in group}
-    kept = [*best]
     if any(one.kind == "carried" for one in effects.values()):
         return kept
     for own, *beside in contest.groups:
@@ -305,7 +277,7 @@ def _chosen(contest: _OfCategory) -> list[Primitive]:
             others = [effects[one] for one in kept if one != own]
             crowded = any(_apart(effects[own], other) <= SAME for other in others)
             if (
-                mine.sureness >= WORTH_KEEPING
+                mine.sureness >= _WORTH_KEEPING
                 and np.linalg.norm(mine.mean[:-1]) > LITTLE
                 and all(_apart(mine, other) > SAME for other in others)
                 and (crowded or _apart(mine, effects[own]) > DIFFERENT)
@@ -319,14 +291,11 @@ def _apart(one: Judgement, other: Judgement) -> float:
     return float(np.linalg.norm(one.mean[:-1] - other.mean[:-1])) if one.kind == other.kind else np.inf
 
 
+# Shared parameters: for each symbol one candidate, those that together are worth most
+
 CHOICES = ("own", "predictable", "lowest-error")
-AUDITIONED = (4, 2)
-"""Candidates of each symbol that are auditioned, the first time and again."""
-AUDITION_OBJECTS = 24
-"""Objects on which each of them is performed, others each time."""
 OBJECTS_TO_PREDICT = 200
 """Objects on which the effects of every candidate are predicted."""
-
 _STREAM = 0x6175  # keeps the objects of auditions apart from those of rehearsals
 
 
@@ -372,7 +341,7 @@ def choose(
         raise UnknownChoice("choice", choice, CHOICES)
     if world_factory is None:
         few = shortlist(candidates, predict, features[:OBJECTS_TO_PREDICT], categorise, 1)
-        return shared_by_all(lowest_error(candidates) if choice == "lowest-error" else few)
+        return shared_by_all(_lowest_error(candidates) if choice == "lowest-error" else few)
     search = Search(
         tuple(candidates),
         predict,
@@ -390,17 +359,18 @@ def choose(
 def choose_among(search: Search, choice: str) -> Repertoire:
     """Choose among what is searched; see `choose`."""
     if choice == "lowest-error":
-        return shared_by_all(lowest_error(search.candidates))
+        return shared_by_all(_lowest_error(search.candidates))
     features = search.features[:OBJECTS_TO_PREDICT]
-    few = shortlist(search.candidates, search.predict, features, search.categorise, AUDITIONED[0])
+    few = shortlist(
+        search.candidates, search.predict, features, search.categorise, SHARED_ROUNDS[0].candidates
+    )
     shared = audition(search, few)
     return shared_by_all(shared) if choice == "predictable" else choose_own(search, shared, search.shown)
 
 
-def lowest_error(candidates: Sequence[Primitive]) -> tuple[Primitive, ...]:
+def _lowest_error(candidates: Sequence[Primitive]) -> tuple[Primitive, ...]:
     """Choose for each symbol the candidate of the lowest error to its code (the paper)."""
-    ordered, groups = _by_symbol(candidates)
-    return tuple(min((ordered[n] for n in group), key=lambda one: one.code_error) for group in groups)
+    return tuple(min(group, key=lambda one: one.code_error) for group in _by_symbol(candidates))
 
 
 def shortlist(
@@ -410,83 +380,62 @@ def shortlist(
     categorise: Categorise,
     count: int,
 ) -> tuple[Primitive, ...]:
-    """Keep for each symbol the candidates that are predicted to be worth most among those of the others.
-
-    Args:
-        candidates: Distilled actions.
-        predict: A network that sees the objects themselves and not their symbols.
-        features: Objects to predict the effects on.
-        categorise: Gives the object symbols of features.
-        count: How many candidates are kept for each symbol.
-    """
-    symbols = np.array(symbols_of(categorise, features))
-    ordered, groups = _by_symbol(candidates)
-    happens = [predict(features, np.tile(np.array(c.action), (len(features), 1))) for c in ordered]
-    return tuple(ordered[number] for number in _best_of_each(groups, np.array(happens), symbols, count))
+    """Keep for each symbol the candidates that are predicted to be worth most among those of the others."""
+    groups = _by_symbol(candidates)
+    happens = {
+        one: predict(features, np.tile(np.array(one.action), (len(features), 1)))
+        for group in groups
+        for one in group
+    }
+    few = _close_shared(np.array(symbols_of(categorise, features)), groups, happens, count)
+    return tuple(one for group in few for one in group)
 
 
 def audition(
-    search: Search, shortlisted: Sequence[Primitive], *, objects: int = AUDITION_OBJECTS
+    search: Search, shortlisted: Sequence[Primitive], *, rounds: Sequence[Round] = SHARED_ROUNDS
 ) -> tuple[Primitive, ...]:
     """Perform the candidates on the same sampled objects, and choose those that together are worth most.
 
-    Two that move an object equally far differ if one carries it higher on the way. Who shone by luck is found
-    out by a second audition of the best. The objects are others than those that primitives are rehearsed on
-    afterwards.
-
-    Args:
-        search: What the candidates are searched with.
-        shortlisted: Candidates, one or more for each symbol.
-        objects: How many objects are sampled for each audition.
+    Two that move an object equally far differ if one carries it higher on the way. The objects are others
+    than those that primitives are rehearsed on afterwards.
     """
-    world = made(search.shown)
-    few, groups = _by_symbol(shortlisted)
-    again = sum(min(AUDITIONED[1], len(group)) for group in groups)
-    total, scenes, done = objects * (len(few) + again), list[Scene](), 0
-    happened = [list[list[float]]() for _ in few]
+    world, numbers = made(search.shown), range(sum(one.objects for one in rounds))
+    scenes = [draw_scene(world, search.seed, _STREAM, number) for number in numbers]
+    symbols = np.array(symbols_of(search.categorise, np.concatenate([scene.features for scene in scenes])))
+    contest = Contest(scenes, _by_symbol(shortlisted), partial(_close_shared, symbols), is_moved=False)
     with search.open_bar("auditioning") as advance:
-        for kept in (AUDITIONED[1], 1):
-            numbers = range(len(scenes), len(scenes) + objects)
-            scenes += [
-                world.sample_scene(np.random.default_rng([search.seed, _STREAM, n]), 1) for n in numbers
-            ]
-            tasks = [tasks_of(one, scenes[-objects:]) for one in few]
-            performed = perform_each(search.shown, tasks, search.workers, part(advance, done, total))
-            done += objects * len(few)
-            for rows, outcomes in zip(happened, performed, strict=True):
-                rows += [[*outcome.effect, outcome.peak_height] for outcome in outcomes]
-            features = np.concatenate([scene.features for scene in scenes])
-            symbols = np.array(symbols_of(search.categorise, features))
-            best = _best_of_each(groups, np.array(happened), symbols, kept)
-            few, happened = [few[number] for number in best], [happened[number] for number in best]
-            groups = _by_symbol(few)[1]
-    return tuple(few)
+        audition_in_rounds(search, [contest], rounds, search.shown, _seen_to_do, advance)
+    return tuple(one for group in contest.groups for one in group)
 
 
-def _best_of_each(
-    groups: Sequence[Sequence[int]],
-    happens: Float[np.ndarray, "N M O"],
-    symbols: np.ndarray,
-    count: int,
-) -> list[int]:
+def _seen_to_do(outcome: Outcome) -> list[float]:
+    return [*outcome.effect, outcome.peak_height]
+
+
+def _close_shared(symbols: np.ndarray, groups: Groups, seen: dict[Primitive, Any], kept: int) -> Groups:
     """Keep those of each symbol that are worth most among the best set of the others, best first.
 
-    Args:
-        groups: For each symbol, the numbers of its candidates.
-        happens: What each candidate does to each object.
-        symbols: Symbol of each object.
-        count: How many are kept of each symbol.
+    What is seen of a candidate is for each object, or the first of them, what it does.
     """
-    effects = observe(happens, symbols)
-    chosen, kept = best_set(groups, effects), []
+    flat = [one for group in groups for one in group]
+    happens = np.array([seen[one] for one in flat])  # (N, M, O)
+    numbers = iter(range(len(flat)))
+    ranked = _best_of_each(
+        [[next(numbers) for _ in group] for group in groups], observe(happens, symbols[: happens.shape[1]])
+    )
+    return [[flat[number] for number in best[:kept]] for best in ranked]
+
+
+def _best_of_each(groups: Sequence[Sequence[int]], effects: CandidateEffects) -> list[list[int]]:
+    """Rank the candidates of each symbol by what they are worth among the best set of the others."""
+    chosen, ranked = best_set(groups, effects), list[list[int]]()
     for place, group in enumerate(groups):
         values = worth_in_place(chosen, place, group, effects)
-        kept += [group[number] for number in np.argsort(-np.array(values), kind="stable")[:count]]
-    return kept
+        ranked.append([group[number] for number in np.argsort(-np.array(values), kind="stable")])
+    return ranked
 
 
-def _by_symbol(candidates: Sequence[Primitive]) -> tuple[list[Primitive], list[list[int]]]:
-    """Sort candidates by their symbols; returns them, and the numbers of those of each symbol."""
+def _by_symbol(candidates: Sequence[Primitive]) -> Groups:
+    """Group candidates by their symbols, in the order of these."""
     ordered = sorted(candidates, key=lambda candidate: candidate.symbol)
-    groups = groupby(range(len(ordered)), key=lambda number: ordered[number].symbol)
-    return ordered, [list(numbers) for _, numbers in groups]
+    return [list(group) for _, group in groupby(ordered, key=lambda candidate: candidate.symbol)]

@@ -7,13 +7,12 @@ that already have the symbol: some of every kind of outcome they had, since rare
 
 import numpy as np
 import torch
-from torch import Tensor
 
 from neurosym.checks import Float, check_count, check_kind, check_seed
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue, Progress
 from neurosym.learning.coclustering import kmeans
-from neurosym.learning.network import EffectModel, one_thread
+from neurosym.learning.network import EffectModel, one_thread, tensor
 from neurosym.operators import CONVERGED, Primitive, all_symbols, signs
 from neurosym.world import ActionBox
 
@@ -53,44 +52,37 @@ def distill(
     Raises:
         InvalidValue: If something is not what it should be, or model, data and box have not the same widths.
     """
-    _check(model, interactions, box, seed)
-    check_count("candidates", candidates)
-    check_count("steps", steps, least=0)
-    actions = np.asarray(interactions.actions)
-    rng = np.random.default_rng([seed, _STREAM])
-    symbols = all_symbols(model.config.action_bits)
-    found = np.array(model.action_symbols(actions))
-    outcomes = np.column_stack([interactions.effects, interactions.peak_heights])
-    outcomes = outcomes / np.maximum(outcomes.std(0), 1e-9)
-    starts = {
-        symbol: draw_of_every_kind(np.flatnonzero(found == symbol), outcomes, candidates, rng)
-        for symbol in symbols
-    }
-    reached = [symbol for symbol in symbols if len(starts[symbol])]
-    begin = np.concatenate([actions[starts[symbol]] for symbol in reached])
-    owners = np.repeat(reached, [len(starts[symbol]) for symbol in reached])
-    ends = np.concatenate(_descend(model, begin, owners, box, steps, progress))
-    owners = np.tile(owners, 2)
-    errors = code_errors(model, ends, owners)
-    errors[np.array(model.action_symbols(ends)) != owners] = np.inf
-    return tuple(
-        Primitive(symbol=symbol, action=tuple(ends[row].tolist()), code_error=float(errors[row]))
-        for symbol in reached
-        for row in _converged(np.flatnonzero(owners == symbol), errors)
-    )
-
-
-def _check(model: EffectModel, interactions: Interactions, box: ActionBox, seed: int) -> None:
     check_kind("model", model, EffectModel, "an EffectModel, as train returns it in its `model`")
     check_kind("interactions", interactions, Interactions, "Interactions")
     check_kind("box", box, ActionBox, "an ActionBox, like a world's action_box")
     check_seed(seed)
-    widths = model.dimensions.actions, interactions.actions.shape[1], len(box.low)
+    check_count("candidates", candidates)
+    check_count("steps", steps, least=0)
+    actions = np.asarray(interactions.actions)
+    widths = model.dimensions.actions, actions.shape[1], len(box.low)
     if len(set(widths)) > 1:
         raise InvalidValue(
             f"The model reads {widths[0]} action parameters, the data have {widths[1]} and the box "
             f"{widths[2]}; valid: the same number."
         )
+    rng, found = np.random.default_rng([seed, _STREAM]), np.array(model.action_symbols(actions))
+    outcomes = np.column_stack([interactions.effects, interactions.peak_heights])
+    outcomes = outcomes / np.maximum(outcomes.std(0), 1e-9)
+    starts = {
+        symbol: draw_of_every_kind(np.flatnonzero(found == symbol), outcomes, candidates, rng)
+        for symbol in all_symbols(model.config.action_bits)
+    }
+    begin = np.concatenate([actions[rows] for rows in starts.values()])
+    owners = np.repeat([*starts], [len(rows) for rows in starts.values()])
+    ends = np.concatenate(_descend(model, begin, owners, box, steps, progress))
+    owners = np.tile(owners, 2)
+    errors = code_errors(model, ends, owners)
+    errors[np.array(model.action_symbols(ends)) != owners] = np.inf
+    return tuple(
+        Primitive(symbol, tuple(ends[row].tolist()), float(errors[row]))
+        for symbol in starts
+        for row in _converged(np.flatnonzero(owners == symbol), errors)
+    )
 
 
 def _converged(rows: np.ndarray, errors: Float[np.ndarray, "N"]) -> list[int]:
@@ -103,13 +95,7 @@ def _converged(rows: np.ndarray, errors: Float[np.ndarray, "N"]) -> list[int]:
 def code_errors(
     model: EffectModel, actions: Float[np.ndarray, "N A"], symbols: np.ndarray
 ) -> Float[np.ndarray, "N"]:
-    """Compute the mean squared error of each action's embedding to the +-1 code of its symbol.
-
-    Args:
-        model: Whose embeddings.
-        actions: The actions.
-        symbols: The symbol that each shall have.
-    """
+    """Compute the mean squared error of each action's embedding to the +-1 code of its symbol."""
     targets = np.array([signs(symbol) for symbol in symbols])
     return np.asarray(((model.action_codes(actions) - targets) ** 2).mean(1), dtype=np.float64)
 
@@ -121,16 +107,15 @@ def _descend(
     box: ActionBox,
     steps: int,
     progress: Progress | None,
-) -> tuple[Float[np.ndarray, "N A"], Float[np.ndarray, "N A"]]:
+) -> tuple[Float[np.ndarray, "N A"], ...]:
     """Descend the error of every candidate at once, projected into the box.
 
-    Returns:
-        The first on the way of each that is within `CONVERGED`, and so does most nearly what the action did
-        that it started from; and the best.
+    Returned are, of each, the first on its way within `CONVERGED`, which so does most nearly what the action
+    did that it started from; and the best.
     """
-    middle, half = _tensor((box.low + box.high) / 2), _tensor((box.high - box.low) / 2).clamp(min=1e-9)
-    targets = _tensor(np.array([signs(symbol) for symbol in owners]))
-    scaled = ((_tensor(begin) - middle) / half).clamp(-1, 1).requires_grad_()
+    middle, half = tensor((box.low + box.high) / 2), tensor((box.high - box.low) / 2).clamp(min=1e-9)
+    targets = tensor(np.array([signs(symbol) for symbol in owners]))
+    scaled = ((tensor(begin) - middle) / half).clamp(-1, 1).requires_grad_()
     optimiser = torch.optim.SGD([scaled], lr=_RATE, momentum=_MOMENTUM)
     best, best_errors = scaled.detach().clone(), torch.full((len(begin),), torch.inf)
     first = best.clone()
@@ -152,7 +137,7 @@ def _descend(
                 progress(step, steps)
     model.train(was_training)
     ends = [(middle + half * found).numpy().astype(np.float64) for found in (first, best)]
-    return np.clip(ends[0], box.low, box.high), np.clip(ends[1], box.low, box.high)
+    return tuple(np.clip(found, box.low, box.high) for found in ends)
 
 
 def draw_of_every_kind(
@@ -160,11 +145,7 @@ def draw_of_every_kind(
 ) -> np.ndarray:
     """Draw some of the rows, equally many of each kind of outcome as far as there are so many.
 
-    Args:
-        rows: Numbers of interactions.
-        outcomes: What happened in each of all interactions, on comparable scales.
-        count: How many are drawn; all if there are fewer.
-        rng: Source of randomness, owned by the caller.
+    Outcomes [on comparable scales] are those of all interactions, rows the numbers of some.
     """
     rows = rng.permutation(rows)
     if len(rows) <= count:
@@ -174,7 +155,3 @@ def draw_of_every_kind(
     for kind in np.unique(kinds):
         turns[kinds == kind] = np.arange(np.sum(kinds == kind))
     return np.asarray(rows[np.argsort(turns, kind="stable")[:count]])
-
-
-def _tensor(values: np.ndarray) -> Tensor:
-    return torch.from_numpy(np.array(values, dtype=np.float32))

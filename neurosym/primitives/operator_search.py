@@ -4,7 +4,7 @@
 * **Places**: every category gets of each symbol the action that carries its objects most surely and exactly
   to the place. Auditions are among neighbours, lest an action be chosen that drags the object through them.
   Rehearsals among others say how surely they are left alone, and whether a place must be free.
-* **Pairs**: every kind of pair gets the actions that most surely bring it into some state (`pair_choice.py`),
+* **Pairs**: every kind of pair gets what most surely brings it into some state (`pair_audition.py`),
   auditioned and rehearsed among bystanders. More rehearsals begin as others ended. They show whether it
   matters that the target rests on something, that something rests on it, or on the reference.
 """
@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.checks import Float
 from neurosym.contract import made
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue, OpenBar, silent
@@ -30,7 +29,7 @@ from neurosym.operators import (
     name_operator,
     names_of_features,
 )
-from neurosym.pair_operators import PairStates, PlaceOperators, RelationOperators
+from neurosym.pair_operators import PairStates, RelationOperators
 from neurosym.primitives.audition import CARRYING_ROUNDS, OBJECTS_TO_PREDICT, choose, choose_among, choose_own
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.pair_audition import choose_for_pairs, rehearse_among, tabulate_pairs
@@ -51,15 +50,9 @@ from neurosym.primitives.sampling import Repertoire
 from neurosym.world import ActionBox, OutcomeKind, WorldFactory
 from neurosym.worlds.aims import AimedFactory, CrowdedFactory, RelatedFactory
 
-ToSymbols = Callable[[np.ndarray], Sequence[Symbol]]
-"""Gives the symbols of object features (N, F), or of actions (N, A)."""
-
 
 class NothingDistilled(InvalidValue):
     """A model whose symbols no action encodes to."""
-
-    def __init__(self) -> None:
-        super().__init__("No action encodes to its symbol; train again.")
 
 
 def find_operators(
@@ -108,16 +101,9 @@ def find_operators(
         open_bar,
     )
     chosen = method.choose(search)
+    options = {"objects": objects, "seed": seed, "workers": workers}
     with open_bar("rehearsing") as advance:
-        found = rehearse(
-            search.shown,
-            chosen,
-            search.categorise,
-            objects=objects,
-            seed=seed,
-            workers=workers,
-            progress=advance,
-        )
+        found = rehearse(search.shown, chosen, search.categorise, **options, progress=advance)
     return method.measure(search, found)
 
 
@@ -150,7 +136,7 @@ def _candidates(
     with open_bar("distilling") as advance:
         candidates = distill(model, interactions, box, seed=seed, progress=advance)
     if not candidates:
-        raise NothingDistilled
+        raise NothingDistilled("No action encodes to its symbol; train again.")
     return candidates
 
 
@@ -181,34 +167,23 @@ def choose_carriers(
 ) -> Repertoire:
     """Choose for each category and symbol the action that carries its objects most surely.
 
-    Args:
-        search: What there is to choose from.
-        crowd: Builds the world of the auditions.
+    What all categories share is of each symbol what is predicted to carry objects of all kinds most surely.
     """
-    shared = _likeliest(search.candidates, search.predict, search.features[:OBJECTS_TO_PREDICT])
-    return choose_own(
-        search, shared, crowd(search.world_factory), foresee=foresee_carrying, rounds=CARRYING_ROUNDS
-    )
-
-
-def _likeliest(
-    candidates: Sequence[Primitive], predict: PredictOutcomes, features: Float[np.ndarray, "M F"]
-) -> tuple[Primitive, ...]:
-    """Return of each symbol the candidate that is predicted to carry objects of all kinds most surely."""
-    best: dict[str, tuple[float, Primitive]] = {}
-    for one in candidates:
-        predicted = predict(features, np.tile(np.array(one.action), (len(features), 1)))
+    features, best = search.features[:OBJECTS_TO_PREDICT], dict[Symbol, tuple[float, Primitive]]()
+    for one in search.candidates:
+        predicted = search.predict(features, np.tile(np.array(one.action), (len(features), 1)))
         sureness = foresee_carrying(predicted).sureness
         if one.symbol not in best or sureness > best[one.symbol][0]:
             best[one.symbol] = sureness, one
-    return tuple(best[symbol][1] for symbol in sorted(best))
+    shared, world_factory = [best[symbol][1] for symbol in sorted(best)], crowd(search.world_factory)
+    return choose_own(search, shared, world_factory, foresee=foresee_carrying, rounds=CARRYING_ROUNDS)
 
 
-def _among_others(search: Search, found: Rehearsals) -> PlaceOperators:
-    return rehearse_among_others(search, measured(search, found))
-
-
-CARRYING = Method(lambda factory: AimedFactory(factory, MARGIN), choose_carriers, _among_others)
+CARRYING = Method(
+    lambda factory: AimedFactory(factory, MARGIN),
+    choose_carriers,
+    lambda search, found: rehearse_among_others(search, measured(search, found)),
+)
 """How operators are found that carry objects to places. What predicts says where objects end relative to the
 place [m], the chance that they are carried, and greatest heights [m]."""
 
@@ -232,20 +207,14 @@ def relating(states: PairStates) -> Method:
 def average(
     interactions: Interactions,
     primitives: Sequence[Primitive],
-    object_symbols: ToSymbols,
-    action_symbols: ToSymbols,
+    object_symbols: Categorise,
+    action_symbols: Categorise,
 ) -> OperatorTable:
     """Average effects over the rows of the data, where there is no world to rehearse in.
 
     The rows whose action and object have the symbols of a primitive and a category stand in for rehearsals.
     They were made with other parameters than the distilled ones, so that such a table says what a symbol
-    means and not what its distilled action does.
-
-    Args:
-        interactions: The data; feature names are read from their origin, where they stand there.
-        primitives: The primitives.
-        object_symbols: Gives the symbols of features.
-        action_symbols: Gives the symbols of actions.
+    means and not what its distilled action does. Feature names are read from the origin of the data.
 
     Raises:
         InvalidValue: If there is no primitive.
@@ -256,13 +225,21 @@ def average(
     actions = np.array(action_symbols(interactions.actions))
     names = names_of_features(interactions.features.shape[1], interactions.origin.get("feature_names", ()))
     categories = describe_categories(interactions.features.astype(np.float64), objects, names)
+    kinds, operators = np.array(kinds_of(interactions)), []
+    outcomes = [
+        column.astype(np.float64)
+        for column in (interactions.effects, interactions.resting_effects, interactions.peak_heights)
+    ]
     ordered = sorted(primitives, key=lambda primitive: primitive.symbol)
-    operators = []
     for primitive in ordered:
         for category in categories:
-            rows = interactions[(actions == primitive.symbol) & (objects == category.symbol)]
-            if len(rows):
-                operators.append(_operator(primitive.symbol, category.symbol, category.name, rows))
+            rows = (actions == primitive.symbol) & (objects == category.symbol)
+            if not rows.any():
+                continue
+            modes = sort_into_modes(kinds[rows].tolist(), *(column[rows] for column in outcomes))
+            name = name_operator(primitive.symbol, category.name, modes)
+            count = int(rows.sum())
+            operators.append(Operator(name, category.symbol, primitive.symbol, trials=count, modes=modes))
     return OperatorTable(categories, tuple(ordered), tuple(operators), measured="data", format=TABLE_FORMAT)
 
 
@@ -271,15 +248,3 @@ def kinds_of(interactions: Interactions) -> list[OutcomeKind]:
     flags = (interactions.lost, interactions.held, interactions.toppled)
     kinds: list[OutcomeKind] = ["lost", "held", "toppled", "resting"]
     return [kinds[number] for number in np.argmax([*flags, np.ones(len(interactions))], axis=0)]
-
-
-def _operator(primitive: Symbol, category: Symbol, category_name: str, rows: Interactions) -> Operator:
-    columns = (rows.effects, rows.resting_effects, rows.peak_heights)
-    modes = sort_into_modes(kinds_of(rows), *(column.astype(np.float64) for column in columns))
-    return Operator(
-        name=name_operator(primitive, category_name, modes),
-        category=category,
-        primitive=primitive,
-        trials=len(rows),
-        modes=modes,
-    )

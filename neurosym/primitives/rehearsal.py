@@ -5,7 +5,7 @@ rehearsed effects. Outcomes that differ in kind (at rest, held, toppled, lost) a
 never averaged together, since the mean of "on the table" and "in the air" is a place where no object ever is.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import compress
@@ -14,7 +14,16 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from neurosym.checks import Float, check_all, check_array, check_count, check_kind, check_seed, check_whole
+from neurosym.checks import (
+    Bool,
+    Float,
+    check_all,
+    check_array,
+    check_count,
+    check_kind,
+    check_seed,
+    check_whole,
+)
 from neurosym.contract import made
 from neurosym.errors import InvalidValue, OpenBar, Progress, part, silent
 from neurosym.operators import (
@@ -86,12 +95,7 @@ class Rehearsals:
         return float(np.mean(self.symbols == symbol)) if self.shares is None else self.shares[symbol]
 
     def on(self, symbol: Symbol, number: int) -> tuple[Outcome, ...]:
-        """Return what a primitive did to the objects of a category.
-
-        Args:
-            symbol: Of the category.
-            number: Of the primitive, counted from 0.
-        """
+        """Return what a primitive did to the objects of a category."""
         row = self.outcomes[number]
         found = (row[i] for i in np.flatnonzero(self.symbols == symbol))
         return tuple(outcome for outcome in found if outcome is not None)
@@ -124,41 +128,34 @@ def rehearse(
     Raises:
         InvalidValue: If there is no object or no primitive to rehearse with.
     """
-    repertoire = primitives if isinstance(primitives, Repertoire) else None
-    if repertoire is None:
+    if not isinstance(primitives, Repertoire):
         check_all("primitives", primitives, Primitive, "primitives, as distill or choose returns them")
-        repertoire = shared_by_all(primitives)  # type: ignore[arg-type]  # checked above
+        primitives = shared_by_all(primitives)
     check_seed(seed)
     check_whole("objects", objects)
-    if objects < 1 or not repertoire.primitives:
-        raise InvalidValue(
-            f"Nothing can be rehearsed with {objects} objects and {len(repertoire.primitives)} primitives."
-        )
+    given = primitives.primitives
+    if objects < 1 or not given:
+        raise InvalidValue(f"Nothing can be rehearsed with {objects} objects and {len(given)} primitives.")
     check_count("workers", workers)
     world = made(world_factory)
-    for primitive in repertoire.primitives:
+    for primitive in given:
         if len(primitive.action) != len(world.action_box.low):
             raise InvalidValue(
                 f"The primitive {primitive.label} has {len(primitive.action)} action parameters; the "
                 f"{world.name} world takes {len(world.action_box.low)}."
             )
     sample = rehearsal_sample(world, categorise, objects=objects, seed=seed)
-    scenes = [scene for members in sample.scenes.values() for scene in members]
-    symbols = [symbol for symbol, members in sample.scenes.items() for _ in members]
-    served = [
-        [repertoire.serves(primitive, symbol) for symbol in symbols] for primitive in repertoire.primitives
-    ]
-    tasks = [
-        tasks_of(primitive, compress(scenes, row))
-        for primitive, row in zip(repertoire.primitives, served, strict=True)
-    ]
+    drawn = [(symbol, scene) for symbol, members in sample.scenes.items() for scene in members]
+    served = [[primitives.serves(primitive, symbol) for symbol, _ in drawn] for primitive in given]
+    scenes = [scene for _, scene in drawn]
+    tasks = [tasks_of(one, compress(scenes, row)) for one, row in zip(given, served, strict=True)]
     performed = map(iter, perform_each(world_factory, tasks, workers, progress))
     outcomes = tuple(
         tuple(next(done) if performs else None for performs in row)
         for row, done in zip(served, performed, strict=True)
     )
     features = np.concatenate([scene.features for scene in scenes])
-    return Rehearsals(repertoire.primitives, features, np.array(symbols), outcomes, sample.shares)
+    return Rehearsals(given, features, np.array([symbol for symbol, _ in drawn]), outcomes, sample.shares)
 
 
 def tabulate(
@@ -183,19 +180,28 @@ def tabulate(
             f"There are {len(feature_names)} feature_names; objects have {rehearsals.features.shape[1]} "
             "features."
         )
-    symbols = rehearsals.symbols
-    shares = {str(symbol): rehearsals.share(symbol) for symbol in np.unique(symbols)}
-    categories = describe_categories(rehearsals.features, symbols, feature_names, shares)
+    shares = {str(symbol): rehearsals.share(symbol) for symbol in np.unique(rehearsals.symbols)}
+    categories = describe_categories(rehearsals.features, rehearsals.symbols, feature_names, shares)
     found = []
     for number, primitive in enumerate(rehearsals.primitives):
         for category in categories:
-            if outcomes := rehearsals.on(category.symbol, number):
-                sureness = judge([performance(outcome) for outcome in outcomes]).sureness
-                found.append((sureness, _operator(primitive, category, outcomes)))
+            if not (outcomes := rehearsals.on(category.symbol, number)):
+                continue
+            modes = modes_of(outcomes)
+            operator = Operator(
+                name=name_operator(primitive.label, category.name, modes),
+                category=category.symbol,
+                primitive=primitive.symbol,
+                trials=len(outcomes),
+                modes=modes,
+                variant=primitive.variant,
+                rehearsals=tuple(map(rehearsal_of, outcomes)),
+            )
+            found.append((operator, judge([*map(performance, outcomes)]).sureness))
         if progress is not None:
             progress(number + 1, len(rehearsals.primitives))
-    found.sort(key=lambda one: (one[1].primitive, one[1].category, -one[0], one[1].variant))
-    operators = tuple(operator for _, operator in found)
+    found.sort(key=lambda one: (one[0].primitive, one[0].category, -one[1], one[0].variant))
+    operators = tuple(operator for operator, _ in found)
     return OperatorTable(categories, rehearsals.primitives, operators, format=TABLE_FORMAT)
 
 
@@ -230,11 +236,7 @@ def sort_into_modes(
 ) -> tuple[Mode, ...]:
     """Sort outcomes into modes, most frequent first.
 
-    Args:
-        kinds: How each outcome ended.
-        effects: Displacements at the end of the rise [m].
-        resting_effects: Displacements once everything is put down [m].
-        peak_heights: Greatest heights on the way [m].
+    Effects are those at the end of the rise [m], resting effects those once everything is put down [m].
     """
     ended, modes = np.array(kinds), []
     for kind in dict.fromkeys(kinds):
@@ -256,32 +258,11 @@ def sort_into_modes(
     return tuple(sorted(modes, key=lambda mode: (-mode.count, mode.kind)))
 
 
-def _operator(primitive: Primitive, category: Category, outcomes: Sequence[Outcome]) -> Operator:
-    modes = modes_of(outcomes)
-    return Operator(
-        name=name_operator(primitive.label, category.name, modes),
-        category=category.symbol,
-        primitive=primitive.symbol,
-        trials=len(outcomes),
-        modes=modes,
-        variant=primitive.variant,
-        rehearsals=tuple(rehearsal_of(outcome) for outcome in outcomes),
-    )
-
-
 def rehearsal_of(outcome: Outcome) -> Rehearsal:
-    """Keep of an outcome what operators remember.
-
-    Args:
-        outcome: What happened.
-    """
-    (peak_height,) = rounded(np.array([outcome.peak_height]))
+    """Keep of an outcome what operators remember."""
+    (peak_height,), turn = rounded([outcome.peak_height]), round(outcome.turn, _TURN_DIGITS)
     return Rehearsal(
-        outcome.kind,
-        rounded(outcome.effect),
-        rounded(outcome.resting_effect),
-        peak_height,
-        round(outcome.turn, _TURN_DIGITS),
+        outcome.kind, rounded(outcome.effect), rounded(outcome.resting_effect), peak_height, turn
     )
 
 
@@ -295,16 +276,11 @@ def describe_categories(
 
     A symbol that no object has is called `unseen`: problems may meet one later, and nothing is known of it.
 
-    Args:
-        features: Features of the objects.
-        symbols: Symbol of each object.
-        feature_names: What the features are.
-        shares: Share of each category, if these are the objects that it was rehearsed on; they are kept then.
+    If the shares of categories are given, these are the objects that were rehearsed on, and are kept.
     """
     present = sorted(set(symbols.tolist()))
     members = [features[symbols == symbol] for symbol in present]
-    means = np.array([_means_for_naming(rows, feature_names) for rows in members])
-    names = name_categories(present, means, feature_names)
+    means = np.array([means_for_naming(rows, feature_names) for rows in members])
     seen = {
         symbol: Category(
             symbol=symbol,
@@ -312,9 +288,11 @@ def describe_categories(
             share=len(rows) / len(features) if shares is None else shares[symbol],
             feature_means=tuple(rows.mean(0).tolist()),
             feature_spreads=tuple(rows.std(0).tolist()),
-            objects=() if shares is None else tuple(rounded(row) for row in rows),
+            objects=() if shares is None else tuple(map(rounded, rows)),
         )
-        for symbol, name, rows in zip(present, names, members, strict=True)
+        for symbol, name, rows in zip(
+            present, name_categories(present, means, feature_names), members, strict=True
+        )
     }
     return tuple(
         seen.get(symbol) or Category(symbol, f"unseen-{symbol}", 0.0, (), ())
@@ -322,18 +300,13 @@ def describe_categories(
     )
 
 
-def _means_for_naming(rows: Float[np.ndarray, "N F"], feature_names: Sequence[str]) -> np.ndarray:
+def means_for_naming(rows: Float[np.ndarray, "N F"], feature_names: Sequence[str]) -> Float[np.ndarray, "F"]:
     """Average features, where a type counts as hollow or not, however it is open."""
-    is_type = np.array(feature_names) == "t"
-    return np.asarray(np.where(is_type, rows >= 0.5, rows).mean(0))
+    return np.asarray(np.where(np.array(feature_names) == "t", rows >= 0.5, rows).mean(0))
 
 
-def rounded(values: Float[np.ndarray, "N"]) -> Effect:
-    """Round to the digits that are kept, without a negative zero.
-
-    Args:
-        values: Lengths [m], or types.
-    """
+def rounded(values: Iterable[float]) -> Effect:
+    """Round lengths [m], or types, to the digits that are kept, without a negative zero."""
     return tuple(round(float(value), _DIGITS) + 0.0 for value in values)
 
 
@@ -397,25 +370,46 @@ SHARE = 0.16
 """How many objects each time at most, as a share of those that every operator is rehearsed on."""
 UNSURE = 0.09
 """Least variance of an outcome that is worth a rehearsal: of one that comes in 10 to 90 % of all cases."""
-POOLED = 12
-"""How many objects of all categories these are chosen from, for each that is rehearsed on."""
+_POOLED = 12  # how many objects of all categories these are chosen from, for each that is rehearsed on
 _APART = 0.5  # objects nearer than this tell much the same, in spreads of the features
 _UNSURE_STREAM = 0x756E  # keeps these draws apart from those of other rehearsals
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Pool:
-    """Objects of one category that operators may be rehearsed on.
+@dataclass(slots=True, eq=False)
+class _Revision:
+    """An operator as it is so far, with objects of its category; it was not rehearsed on the free ones."""
 
-    Attributes:
-        category: The category.
-        scenes: One of them in each.
-        features: Their features.
-    """
-
+    operator: Operator
     category: Category
     scenes: tuple[Scene, ...]
     features: Float[np.ndarray, "P F"]
+    free: Bool[np.ndarray, "P"]
+
+    def unsure(self, count: int) -> list[int]:
+        """Choose so many objects at most that the rehearsals say least of, none of them like another."""
+        chances = chances_of(self.operator, self.category, self.features)
+        if chances is None:
+            return []
+        variance = np.where(self.free, chances * (1 - chances), 0.0)
+        scale = np.maximum(self.features.std(0), 1e-3)
+        chosen: list[int] = []
+        while len(chosen) < count and variance.max() >= UNSURE:
+            best = int(np.argmax(variance))
+            chosen.append(best)
+            apart = ((self.features - self.features[best]) / scale) ** 2
+            variance *= 1 - 0.5 * np.exp(-apart.sum(1) / (2 * _APART**2))
+            variance[best] = 0.0
+        return chosen
+
+    def remember(self, numbers: list[int], outcomes: Sequence[Outcome]) -> None:
+        """Add to the operator what was seen of some objects."""
+        if not numbers:
+            return
+        known = rehearsed_objects(self.operator, self.category)
+        objects = (*known, *(rounded(self.features[number]) for number in numbers))
+        rows = (*self.operator.rehearsals, *map(rehearsal_of, outcomes))
+        self.operator = msgspec.structs.replace(self.operator, objects=objects, rehearsals=rows)
+        self.free[numbers] = False
 
 
 def rehearse_unsure(search: Search, table: OperatorTable) -> OperatorTable:
@@ -423,87 +417,46 @@ def rehearse_unsure(search: Search, table: OperatorTable) -> OperatorTable:
 
     The other rehearsals come first, and are those that trials and modes count: their objects are drawn as
     the world draws them.
-
-    Args:
-        search: What the operators were found with.
-        table: Operators, with their rehearsals.
     """
     if not (count := int(SHARE * search.objects)):
         return table
-    sample = sample_by_category(
-        made(search.shown),
-        search.categorise,
-        least=1,
-        typical=POOLED * search.objects,
-        seed=search.seed,
-        stream=_UNSURE_STREAM,
-    )
+    typical = _POOLED * search.objects
+    sample = partial(sample_by_category, made(search.shown), search.categorise, least=1, typical=typical)
     pools = {
-        one.symbol: _Pool(one, scenes, np.concatenate([scene.features for scene in scenes]))
-        for one in table.categories
-        if (scenes := sample.scenes.get(one.symbol))
+        symbol: (scenes, np.concatenate([scene.features for scene in scenes]))
+        for symbol, scenes in sample(seed=search.seed, stream=_UNSURE_STREAM).scenes.items()
     }
-    primitives = {one.label: one for one in table.primitives}
-    operators, done = list(table.operators), 0
-    pool_of = {place: pools[one.category] for place, one in enumerate(operators) if one.category in pools}
-    free = {place: np.ones(len(pool.scenes), dtype=bool) for place, pool in pool_of.items()}
+    categories = {one.symbol: one for one in table.categories}
+    actions = {one.label: one for one in table.primitives}
+    revised = {
+        place: _Revision(one, categories[one.category], *pool, np.ones(len(pool[0]), dtype=bool))
+        for place, one in enumerate(table.operators)
+        if (pool := pools.get(one.category))
+    }
+    done = 0
     with search.open_bar("rehearsing what is unsure") as advance:
         for _ in range(ROUNDS):
-            chosen = {
-                place: _unsure(operators[place], pool, free[place], count) for place, pool in pool_of.items()
-            }
+            chosen = [(one, one.unsure(count)) for one in revised.values()]
             tasks = [
-                tasks_of(primitives[operators[place].label], [pool_of[place].scenes[n] for n in numbers])
-                for place, numbers in chosen.items()
+                tasks_of(actions[one.operator.label], [one.scenes[number] for number in numbers])
+                for one, numbers in chosen
             ]
             performed = perform_each(search.shown, tasks, search.workers, part(advance, done))
             done += sum(map(len, tasks))
-            for (place, numbers), outcomes in zip(chosen.items(), performed, strict=True):
-                rows = tuple(map(rehearsal_of, outcomes))
-                operators[place] = _with_rows(operators[place], pool_of[place], numbers, rows)
-                free[place][numbers] = False
-    return msgspec.structs.replace(table, operators=tuple(operators))
-
-
-def _with_rows(operator: Operator, pool: _Pool, numbers: list[int], rows: tuple[Rehearsal, ...]) -> Operator:
-    """Add to an operator what was seen of some objects of a pool."""
-    if not numbers:
-        return operator
-    known = rehearsed_objects(operator, pool.category)
-    objects = (*known, *(rounded(pool.features[number]) for number in numbers))
-    return msgspec.structs.replace(operator, objects=objects, rehearsals=(*operator.rehearsals, *rows))
-
-
-def _unsure(operator: Operator, pool: _Pool, free: np.ndarray, count: int) -> list[int]:
-    """Choose the objects that an operator's rehearsals say least of, none of them like another.
-
-    Args:
-        operator: The operator.
-        pool: The objects to choose from.
-        free: Which of these it was not rehearsed on.
-        count: How many are chosen at most.
-    """
-    chances = chances_of(operator, pool.category, pool.features)
-    if chances is None:
-        return []
-    variance = np.where(free, chances * (1 - chances), 0.0)
-    scale = np.maximum(pool.features.std(0), 1e-3)
-    chosen: list[int] = []
-    while len(chosen) < count and variance.max() >= UNSURE:
-        best = int(np.argmax(variance))
-        chosen.append(best)
-        apart = ((pool.features - pool.features[best]) / scale) ** 2
-        variance *= 1 - 0.5 * np.exp(-apart.sum(1) / (2 * _APART**2))
-        variance[best] = 0.0
-    return chosen
+            for (one, numbers), outcomes in zip(chosen, performed, strict=True):
+                one.remember(numbers, outcomes)
+    operators = tuple(
+        revised[place].operator if place in revised else one for place, one in enumerate(table.operators)
+    )
+    return msgspec.structs.replace(table, operators=operators)
 
 
 # Rehearsing operators that carry where there are other objects: beside the target, or on the place
 
 MARGIN = 0.06
 """How far inside the edge of the table the places of rehearsals lie, lest what is held askew be lost [m]."""
-AMONG_OTHERS = 20
-"""Rehearsals of an operator with another object on the place, and with others beside the target."""
+# Rehearsals of an operator with another object on the place, and with others beside the target.
+_AMONG_OTHERS = 20
 GAP = 0.04
 """How far apart the target and the object on the place are at least [m]."""
 _LEVEL = 0.01  # what stands higher than it did stands on something else [m]
@@ -514,42 +467,32 @@ def rehearse_among_others(search: Search, table: OperatorTable) -> PlaceOperator
     """Rehearse operators with another object on the place, and with others close around the target.
 
     That says whether the place must be free, and whether others are left alone.
-
-    Args:
-        search: What they were found with.
-        table: The operators.
     """
-    factory = AimedFactory(search.world_factory, MARGIN)
-    world, rng = factory(), np.random.default_rng([search.seed, _OTHERS_STREAM])
-    sample = partial(sample_by_category, categorise=search.categorise, least=AMONG_OTHERS, seed=search.seed)
-    drawn = {
-        symbol: [_occupied(scene, world.sample_scene(rng, 1)) for scene in members]
+    aimed, crowded = (kind(search.world_factory, MARGIN) for kind in (AimedFactory, CrowdedFactory))
+    world, rng = aimed(), np.random.default_rng([search.seed, _OTHERS_STREAM])
+    sample = partial(sample_by_category, categorise=search.categorise, least=_AMONG_OTHERS, seed=search.seed)
+    on_place = {
+        symbol: [one for scene in members if (one := _occupied(scene, world.sample_scene(rng, 1)))]
         for symbol, members in sample(world, stream=_OTHERS_STREAM).scenes.items()
     }
-    on_place = {symbol: [one for one in among if one is not None] for symbol, among in drawn.items()}
-    crowded = CrowdedFactory(search.world_factory, MARGIN)
     around = sample(crowded(), stream=_BESIDE).scenes
-    with search.open_bar("rehearsing on occupied places") as advance:
-        occupied = _kept(factory, table, on_place, search.workers, advance)
-    with search.open_bar("rehearsing among neighbours") as advance:
-        beside = _kept(crowded, table, around, search.workers, advance)
-    return PlaceOperators(operators=table, occupied=occupied, beside=beside)
 
+    def kept(label: str, factory: WorldFactory, scenes: Mapping[Symbol, Sequence[Scene]]) -> tuple[Kept, ...]:
+        """Rehearse operators that ever carry, and count what went as promised."""
+        actions = {one.label: one for one in table.primitives}
+        worthy = [one for one in table.operators if one.successes and scenes.get(one.category)]
+        tasks = [tasks_of(actions[one.label], scenes[one.category]) for one in worthy]
+        with search.open_bar(label) as advance:
+            ended = perform_each(factory, tasks, search.workers, advance)
+        return tuple(
+            Kept(one.name, len(ends), sum(_stands_there(one, end) for end in ends))
+            for one, ends in zip(worthy, ended, strict=True)
+        )
 
-def _kept(
-    factory: WorldFactory,
-    table: OperatorTable,
-    scenes: Mapping[Symbol, Sequence[Scene]],
-    workers: int,
-    progress: Progress | None,
-) -> tuple[Kept, ...]:
-    """Rehearse operators that ever carry in scenes for their category, and count what went as promised."""
-    primitives = {one.label: one for one in table.primitives}
-    worthy = [one for one in table.operators if one.successes and scenes.get(one.category)]
-    tasks = [tasks_of(primitives[one.label], scenes[one.category]) for one in worthy]
-    ended = zip(worthy, perform_each(factory, tasks, workers, progress), strict=True)
-    return tuple(
-        Kept(one.name, len(ends), sum(_stands_there(one, end) for end in ends)) for one, ends in ended
+    return PlaceOperators(
+        operators=table,
+        occupied=kept("rehearsing on occupied places", aimed, on_place),
+        beside=kept("rehearsing among neighbours", crowded, around),
     )
 
 

@@ -38,13 +38,7 @@ _STARTS = 8
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CandidateEffects:
-    """What each of some actions does to the objects of each category.
-
-    Attributes:
-        means: Mean of what it does [m].
-        sureness: Share of the mean square of what it does that the mean explains.
-        shares: Share of the objects that are of each category.
-    """
+    """What N actions mostly do to the objects of L categories [m], how surely, and the shares of these."""
 
     means: Float[np.ndarray, "N L D"]
     sureness: Float[np.ndarray, "N L"]
@@ -55,10 +49,6 @@ def observe(values: Float[np.ndarray, "N M D"], symbols: Sequence[Symbol] | np.n
     """Summarise what each action did to the objects of each category.
 
     Effects of `LITTLE` are put to the unexplained, so that doing nothing at all is not sure.
-
-    Args:
-        values: What each action did to each object: displacement and peak height [m].
-        symbols: Symbol of each object.
     """
     symbols = np.asarray(symbols)
     members = [values[:, symbols == symbol] for symbol in np.unique(symbols)]
@@ -68,49 +58,23 @@ def observe(values: Float[np.ndarray, "N M D"], symbols: Sequence[Symbol] | np.n
     return CandidateEffects(means, (means**2).sum(2) / (squares + LITTLE**2), shares)
 
 
-def worths(effects: CandidateEffects, chosen: Sequence[int]) -> Float[np.ndarray, "S"]:
-    """Compute what each action of a set is worth.
-
-    Args:
-        effects: What all candidates do.
-        chosen: Which of them are the set.
-    """
-    means = effects.means[chosen]
-    from_nothing = np.linalg.norm(means, axis=2)  # (S, L)
-    apart = np.linalg.norm(means[:, None] - means, axis=3)  # (S, S, L)
-    apart[np.arange(len(chosen)), np.arange(len(chosen))] = np.inf
-    different = np.tanh(np.minimum(apart.min(1), from_nothing) / PLENTY)
-    return np.asarray((effects.sureness[chosen] ** 2 * different) @ effects.shares)
-
-
 def best_set(groups: Sequence[Sequence[int]], effects: CandidateEffects) -> list[int]:
     """Choose one candidate of each symbol so that the set is worth most, changing one at a time.
 
     That can get stuck; so it is begun from the surest candidates and from some drawn at random.
-
-    Args:
-        groups: For each symbol, the numbers of its candidates.
-        effects: What all candidates do.
     """
     rng = np.random.default_rng(0)
     sure = effects.sureness @ effects.shares
     begun = [[max(group, key=lambda number: sure[number]) for group in groups]]
     begun += [[group[int(rng.integers(len(group)))] for group in groups] for _ in range(_STARTS - 1)]
     sets = [_improve(chosen, groups, effects) for chosen in begun]
-    return max(sets, key=lambda chosen: worths(effects, chosen).sum())
+    return max(sets, key=lambda chosen: worth_in_place(chosen, 0, chosen[:1], effects)[0])
 
 
 def worth_in_place(
     chosen: Sequence[int], place: int, group: Sequence[int], effects: CandidateEffects
 ) -> list[float]:
-    """Compute what a set is worth with each of some candidates in one place of it, all at once.
-
-    Args:
-        chosen: The set.
-        place: Which of it is exchanged.
-        group: The candidates for that place.
-        effects: What all candidates do.
-    """
+    """Compute what a set is worth with each of some candidates in one place of it, all at once."""
     others, group = [*chosen[:place], *chosen[place + 1 :]], list(group)
     rows, mine = effects.means[others], effects.means[group]
     apart = np.linalg.norm(rows[:, None] - rows, axis=3)  # (S - 1, S - 1, L)
@@ -139,8 +103,7 @@ def _improve(chosen: list[int], groups: Sequence[Sequence[int]], effects: Candid
 
 EXACT = 0.015
 """A spread at which an action is still 1 / sqrt(2) as sure as one without any [m]."""
-EXACT_PAIR = 0.5
-"""The same of ends relative to another object [touching units]."""
+_EXACT_PAIR = 0.5  # the same of ends relative to another object [touching units]
 TURNED = math.radians(15)
 """By how much an object may be turned without that it counts [rad]."""
 
@@ -214,58 +177,40 @@ def judge(performances: Sequence[Performance]) -> Judgement:
 
 
 def foresee_displacement(predicted: Float[np.ndarray, "N O"]) -> Judgement:
-    """Judge an action by the displacements and greatest heights that are predicted of objects [m].
-
-    Args:
-        predicted: What is predicted of each object.
-    """
+    """Judge an action by the displacements and greatest heights that are predicted of objects [m]."""
     return Judgement("resting", predicted.mean(0), exactness(predicted[:, :3]))
 
 
 def foresee_carrying(predicted: Float[np.ndarray, "N O"]) -> Judgement:
     """Judge an action that is aimed at a place: how surely it is predicted to carry objects, and how alike.
 
-    Args:
-        predicted: What is predicted of each object: where it ends relative to the place [m], the chance
-            that it is carried, and its greatest height on the way [m].
+    Predicted is of each object where it ends relative to the place [m], the chance that it is carried, and
+    its greatest height on the way [m].
     """
     chances = np.clip(predicted[:, 3], 0.0, 1.0)
     likely = predicted[chances >= chances.max() / 2]
-    alike = likeness(likely[:, :2]) if len(likely) else 0.0
-    return Judgement("carried", np.delete(predicted.mean(0), 3), float(chances.mean() * alike))
+    return Judgement(
+        "carried", np.delete(predicted.mean(0), 3), float(chances.mean() * likeness(likely[:, :2]))
+    )
 
 
 def exactness(outcomes: Float[np.ndarray, "N E"]) -> float:
-    """Say how nearly outcomes are the same, and more than nothing: from 0 to 1.
-
-    Args:
-        outcomes: Displacements that should be the same [m].
-    """
+    """Say how nearly displacements [m] are the same, and more than nothing: from 0 to 1."""
     square = float((outcomes.mean(0) ** 2).sum())
-    return square / (square + LITTLE**2) / math.sqrt(1 + _variance(outcomes) / EXACT**2)
+    return square / (square + LITTLE**2) * likeness(outcomes)
 
 
 def likeness(outcomes: Float[np.ndarray, "N E"], exact: float = EXACT) -> float:
-    """Say how nearly outcomes are the same, whatever they are: from 0 to 1.
+    """Say how nearly displacements are the same, whatever they are: from 0 to 1.
 
-    Args:
-        outcomes: Displacements that should be the same [m].
-        exact: A spread at which it is 1 / sqrt(2), in the same unit.
+    `exact` is a spread at which it is 1 / sqrt(2) [m, or the unit of the outcomes].
     """
-    return 1 / math.sqrt(1 + _variance(outcomes) / exact**2)
-
-
-def _variance(outcomes: Float[np.ndarray, "N E"]) -> float:
-    return float(((outcomes - outcomes.mean(0)) ** 2).sum(1).mean())
+    variance = float(((outcomes - outcomes.mean(0)) ** 2).sum(1).mean())
+    return 1 / math.sqrt(1 + variance / exact**2)
 
 
 def watch(outcome: Outcome, states: PairStates) -> Performance:
-    """Say of an outcome what is judged.
-
-    Args:
-        outcome: What happened, aimed at another object.
-        states: The states of pairs.
-    """
+    """Say of an outcome what is judged."""
     state = found if (found := end_state(outcome, states)) in states.bearing else ""
     assert isinstance(outcome.reference, OtherObject), "aimed at another object"
     where = touching_units(outcome.end, outcome.target, outcome.reference.index)
@@ -276,12 +221,7 @@ def watch(outcome: Outcome, states: PairStates) -> Performance:
 
 
 def end_state(outcome: Outcome, states: PairStates) -> str:
-    """Return the code of the state that a pair ended in; empty if the target was not carried there.
-
-    Args:
-        outcome: What happened, aimed at another object.
-        states: The states of pairs.
-    """
+    """Return the code of the state that a pair ended in; empty if the target was not carried there."""
     if not outcome.carried or outcome.lost or not isinstance(outcome.reference, OtherObject):
         return ""
     described = describe_pair(outcome.end, outcome.target, outcome.reference.index, outcome.contacts)
@@ -289,13 +229,8 @@ def end_state(outcome: Outcome, states: PairStates) -> str:
 
 
 def sureness(performances: Sequence[Performance], state: str) -> float:
-    """Say how surely an action brings pairs of a kind into a state, and how alike: from 0 to 1.
-
-    Args:
-        performances: One for each pair.
-        state: Code of the state.
-    """
+    """Say how surely an action brings pairs of a kind into a state, and how alike: from 0 to 1."""
     good = [one for one in performances if one.state == state and not one.disturbs and one.turn <= TURNED]
     if not good:
         return 0.0
-    return len(good) / len(performances) * likeness(np.array([one.outcome for one in good]), EXACT_PAIR)
+    return len(good) / len(performances) * likeness(np.array([one.outcome for one in good]), _EXACT_PAIR)

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import count
 from string import ascii_lowercase
 
 import msgspec
@@ -20,12 +19,7 @@ MOST_DRAWS = 60
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sample:
-    """Objects of each category.
-
-    Attributes:
-        scenes: For each category that was met, scenes of one object each, in the order of symbols.
-        shares: Share of each of these categories among all objects that were drawn.
-    """
+    """Scenes of one object of each category that was met, and its share among all objects that were drawn."""
 
     scenes: Mapping[Symbol, tuple[Scene, ...]]
     shares: Mapping[Symbol, float]
@@ -50,32 +44,22 @@ def sample_by_category(
 
     A category so rare that `MOST_DRAWS` times as many draws hold fewer of it has those that were found.
 
-    Args:
-        world: Where they come from.
-        categorise: Gives the object symbols of features.
-        least: How many objects a category shall have.
-        typical: A category has as many as there are of it among the first so many draws, if that is more.
-        seed: Where all draws start.
-        stream: Keeps the draws of one purpose apart from those of another.
+    It has at least `least` if it can, and as many as there are of it among the first `typical` draws.
     """
     drawn: list[Scene] = []
     symbols: list[Symbol] = []
-    first = max(least, typical)
-    while not drawn or (len(drawn) < MOST_DRAWS * least and _lacks(symbols, least)):
-        numbers = range(len(drawn), len(drawn) + (least if drawn else first))
-        scenes = [draw_scene(world, seed, stream, number) for number in numbers]
+    lacking = True
+    while lacking and (not drawn or len(drawn) < MOST_DRAWS * least):
+        more = least if drawn else max(least, typical)
+        scenes = [draw_scene(world, seed, stream, len(drawn) + number) for number in range(more)]
         symbols += symbols_of(categorise, np.concatenate([scene.features for scene in scenes]))
         drawn += scenes
+        lacking = any(symbols.count(code) < least for code in all_symbols(len(symbols[0])))
     kept = {}
     for symbol in sorted(set(symbols)):
         members = [scene for scene, found in zip(drawn, symbols, strict=True) if found == symbol]
         kept[symbol] = tuple(members[: max(least, symbols[:typical].count(symbol))])
     return Sample(kept, {symbol: symbols.count(symbol) / len(symbols) for symbol in kept})
-
-
-def _lacks(symbols: list[Symbol], least: int) -> bool:
-    """Say whether there is a code that too few of the objects have."""
-    return any(symbols.count(code) < least for code in all_symbols(len(symbols[0])))
 
 
 # Performing actions, in order, by any number of workers
@@ -134,12 +118,7 @@ class Repertoire:
     own: Mapping[Symbol, tuple[str, ...]] | None = None
 
     def serves(self, primitive: Primitive, category: Symbol) -> bool:
-        """Say whether an action is performed on the objects of a category.
-
-        Args:
-            primitive: One of the actions.
-            category: An object symbol.
-        """
+        """Say whether an action is performed on the objects of a category."""
         if self.own is None:
             return True
         if category not in self.own:
@@ -156,10 +135,6 @@ def with_own(shared: Sequence[Primitive], chosen: Mapping[Symbol, Sequence[Primi
     """Return the repertoire in which categories have actions of their own, a letter for each.
 
     The same action has the same letter on every category that it is chosen for. Without one it is shared.
-
-    Args:
-        shared: The action that each symbol shares among categories.
-        chosen: What is performed on the objects of each category.
     """
     primitives, labels = [*shared], {(one.symbol, one.action): one.label for one in shared}
     own: dict[Symbol, tuple[str, ...]] = {}
@@ -187,17 +162,12 @@ def repertoire_of(table: OperatorTable) -> Repertoire:
 
 
 def next_variant(primitives: Sequence[Primitive], symbol: Symbol) -> str:
-    """Return the letter of the next action that a symbol has beside its shared one.
+    """Return the letter of the next action that a symbol has beside its shared one: a to z, aa, ab and so on.
 
     Args:
         primitives: Those that there are, the shared one among them.
         symbol: The symbol.
     """
     taken = {one.variant for one in primitives if one.symbol == symbol}
-    return next(letters for number in count() if (letters := _letters(number)) not in taken)
-
-
-def _letters(number: int) -> str:
-    """Return "a" to "z" for 0 to 25, and "aa", "ab" and so on thereafter."""
-    rounds, letter = divmod(number, len(ascii_lowercase))
-    return (ascii_lowercase[rounds - 1] if rounds else "") + ascii_lowercase[letter]
+    letters = (f"{first}{second}" for first in ("", *ascii_lowercase) for second in ascii_lowercase)
+    return next(letter for letter in letters if letter not in taken)

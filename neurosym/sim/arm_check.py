@@ -36,19 +36,13 @@ BESIDE = 0.005
 """How far the fingertips may be beside the tool point [m]."""
 _FARTHEST = 10.0
 _LEAST_LIFTED = 0.8  # share of the way of the hand by which the plain box must rise
-_OPEN, _CLOSED = 1.0, 0.0
 
 
 @dataclass(frozen=True, slots=True)
-class Link:
-    """A link with the joint that it hangs on; both have the same index.
+class _Link:
+    """A link with the joint that it hangs on; both have the same index, and `above` are those of links above.
 
-    Attributes:
-        index: In PyBullet's count.
-        name: Name of the joint.
-        kind: PyBullet's number for its type.
-        limits: Least and greatest position [m], [rad]; the least is greater if there are none.
-        above: Indices of all links above it.
+    The least limit [m], [rad] is greater than the greatest if there are none.
     """
 
     index: int
@@ -62,21 +56,11 @@ class Link:
 
     @property
     def moves(self) -> bool:
-        """Whether its joint is one that moves."""
         return bool(self.kind != pybullet.JOINT_FIXED)
 
 
 def check_arm(config: TabletopConfig, arm: Arm) -> None:
-    """Raise unless an arm is as its file says, and reaches over the whole table.
-
-    Args:
-        config: The world's options.
-        arm: The arm.
-
-    Raises:
-        InvalidArm: If its file cannot be read, or says otherwise.
-        InvalidValue: If it reaches too little.
-    """
+    """Raise `InvalidArm` unless an arm is as its file says, or `InvalidValue` if it reaches too little."""
     _check_file(arm)
     check_reach(config, arm)
     points = corners(config)
@@ -99,22 +83,17 @@ def check_arm(config: TabletopConfig, arm: Arm) -> None:
 
 def _check_file(arm: Arm) -> None:
     with loaded(arm.urdf) as (client, body):
-        links = _links(client, body)
+        links: list[_Link] = []
+        for index in range(client.getNumJoints(body)):
+            info = client.getJointInfo(body, index)
+            above = () if info[16] < 0 else (*links[info[16]].above, info[16])
+            links.append(_Link(index, info[1].decode(errors="replace"), info[2], info[8:10], above))
         problems = chain(_problems(links, arm), _motions(client, body, links, arm))
         if problem := next(problems, None):  # the first: each check relies on those before
             raise InvalidArm(f"of {arm.urdf} {problem}")
 
 
-def _links(client: Client, body: int) -> tuple[Link, ...]:
-    links: list[Link] = []
-    for index in range(client.getNumJoints(body)):
-        info = client.getJointInfo(body, index)
-        above = () if info[16] < 0 else (*links[info[16]].above, info[16])
-        links.append(Link(index, info[1].decode(errors="replace"), info[2], (info[8], info[9]), above))
-    return tuple(links)
-
-
-def _problems(links: Sequence[Link], arm: Arm) -> Iterator[str]:
+def _problems(links: Sequence[_Link], arm: Arm) -> Iterator[str]:
     """Tell what is wrong with the joints."""
     for index in (*arm.joints, *arm.fingers, arm.tool):
         if not 0 <= index < len(links):
@@ -133,7 +112,7 @@ def _problems(links: Sequence[Link], arm: Arm) -> Iterator[str]:
     yield from _not_driven(links, (*tool.above, tool.index), arm.joints, f"the tool {tool}")
 
 
-def _finger(links: Sequence[Link], finger: Link, arm: Arm) -> Iterator[str]:
+def _finger(links: Sequence[_Link], finger: _Link, arm: Arm) -> Iterator[str]:
     if finger.kind != pybullet.JOINT_PRISMATIC:
         how = "is fixed" if not finger.moves else "does not slide"
         yield f"has the finger {finger}, whose joint {how}; valid: two fingers on sliding joints"
@@ -149,7 +128,9 @@ def _finger(links: Sequence[Link], finger: Link, arm: Arm) -> Iterator[str]:
             yield f"has the joint {link} on the finger {finger}, which nothing drives; valid: a fixed joint"
 
 
-def _not_driven(links: Sequence[Link], way: Sequence[int], joints: Sequence[int], what: str) -> Iterator[str]:
+def _not_driven(
+    links: Sequence[_Link], way: Sequence[int], joints: Sequence[int], what: str
+) -> Iterator[str]:
     """Tell which joints move something and are not the arm's, or the other way round."""
     for index in way:
         if links[index].moves and index not in joints:
@@ -159,19 +140,27 @@ def _not_driven(links: Sequence[Link], way: Sequence[int], joints: Sequence[int]
             yield f"has the joint {links[index]} among its joints, which does not move {what}"
 
 
-def _motions(client: Client, body: int, links: Sequence[Link], arm: Arm) -> Iterator[str]:
+def _motions(client: Client, body: int, links: Sequence[_Link], arm: Arm) -> Iterator[str]:
     """Tell what the fingers do amiss in the tool's frame, which is made the world's."""
     wanted, fingers = arm.half_opening, arm.fingers
     named = " and ".join(str(links[finger]) for finger in fingers)
-    parts = [_parts(client, body, links, finger) for finger in fingers]
-    for finger, shapes in zip(fingers, parts, strict=True):
-        if not shapes:
+    parts: list[list[int]] = []  # links that move with each finger and can touch something
+    for finger in fingers:
+        moving = [link.index for link in links if finger in (link.index, *link.above)]
+        parts.append([link for link in moving if client.getCollisionShapeData(body, link)])
+        if not parts[-1]:
             yield f"has the finger {links[finger]}, which has no collision shape; valid: one that touches"
-    _bring_tool_home(client, body, links, arm.tool)
-    closed = _origins(client, body, fingers, 0.0)
-    (gap, middle), (low, high) = _gap(client, body, *parts), _extent(client, body, [*parts[0], *parts[1]])
-    ways = _origins(client, body, fingers, wanted) - closed  # (2, 3)
-    open_gap, _ = _gap(client, body, *parts)
+    for link in links:
+        client.resetJointState(body, link.index, 0.0)
+    tool = client.getLinkState(body, arm.tool, computeForwardKinematics=1)[4:6]
+    base = client.getBasePositionAndOrientation(body)
+    home = pybullet.multiplyTransforms(*pybullet.invertTransform(*tool), *base)
+    client.resetBasePositionAndOrientation(body, *home)
+    closed, gap, middle = _fingers_at(client, body, arm, parts, 0.0)
+    boxes = np.array([client.getAABB(body, part) for part in chain(*parts)])  # (P, 2, 3)
+    low, high = boxes[:, 0].min(0), boxes[:, 1].max(0)
+    opened, open_gap, _ = _fingers_at(client, body, arm, parts, wanted)
+    ways = opened - closed  # (2, 3)
     for finger, way in zip(fingers, ways, strict=True):
         if abs(abs(way[1]) - wanted) > OFF or np.abs(way[[0, 2]]).max() > OFF:
             yield (
@@ -185,7 +174,8 @@ def _motions(client: Client, body: int, links: Sequence[Link], arm: Arm) -> Iter
             f"has the fingers {named}, which are {gap:.3f} m apart at 0 and {open_gap:.3f} m at half_opening "
             f"= {wanted:g} m; valid: they meet at 0, and part in the positive sense to {2 * wanted:g} m"
         )
-    if abs(middle) > BESIDE or not _is_between(low, high):
+    is_around = low[0] <= BESIDE and high[0] >= -BESIDE and low[2] <= BESIDE
+    if abs(middle) > BESIDE or not is_around or not -BESIDE <= high[2] <= LOWEST_TOOL_POINT + BESIDE:
         yield (
             f"has the tool {links[arm.tool]}, in whose frame the fingers reach from {_said(low)} to "
             f"{_said(high)} m; valid: the point where the tips meet, at most {LOWEST_TOOL_POINT:g} m before "
@@ -193,51 +183,19 @@ def _motions(client: Client, body: int, links: Sequence[Link], arm: Arm) -> Iter
         )
 
 
-def _is_between(low: Float[np.ndarray, "3"], high: Float[np.ndarray, "3"]) -> bool:
-    """Say whether the origin is between fingers of this extent, near their ends along z [m]."""
-    around = low[0] <= BESIDE and high[0] >= -BESIDE and low[2] <= BESIDE
-    return bool(around and -BESIDE <= high[2] <= LOWEST_TOOL_POINT + BESIDE)
-
-
-def _bring_tool_home(client: Client, body: int, links: Sequence[Link], tool: int) -> None:
-    """Set all joints to zero and move the robot such that the tool's frame is the world's."""
-    for link in links:
-        client.resetJointState(body, link.index, 0.0)
-    state = client.getLinkState(body, tool, computeForwardKinematics=1)
-    base = client.getBasePositionAndOrientation(body)
-    moved = pybullet.multiplyTransforms(*pybullet.invertTransform(*state[4:6]), *base)
-    client.resetBasePositionAndOrientation(body, *moved)
-
-
-def _origins(client: Client, body: int, fingers: Sequence[int], position: float) -> Float[np.ndarray, "2 3"]:
-    """Set both fingers and return where the origins of their frames are [m]."""
-    for finger in fingers:
+def _fingers_at(
+    client: Client, body: int, arm: Arm, parts: Sequence[Sequence[int]], position: float
+) -> tuple[Float[np.ndarray, "2 3"], float, float]:
+    """Set both fingers; return where their frames are, their gap, and its middle along y [m]."""
+    for finger in arm.fingers:
         client.resetJointState(body, finger, position)
-    states = client.getLinkStates(body, fingers, computeForwardKinematics=1)
-    return np.array([state[4] for state in states])
-
-
-def _parts(client: Client, body: int, links: Sequence[Link], finger: int) -> list[int]:
-    """List the links that move with a finger and can touch something."""
-    moving = [link.index for link in links if finger in (link.index, *link.above)]
-    return [link for link in moving if client.getCollisionShapeData(body, link)]
-
-
-def _gap(client: Client, body: int, one: Sequence[int], other: Sequence[int]) -> tuple[float, float]:
-    """Return how far two fingers are apart [m], and where the middle of that is along y [m]."""
-    return min(
+    states = client.getLinkStates(body, arm.fingers, computeForwardKinematics=1)
+    gap, middle = min(
         (point[8], (point[5][1] + point[6][1]) / 2)
-        for pair in product(one, other)
+        for pair in product(*parts)
         for point in client.getClosestPoints(body, body, _FARTHEST, *pair)
     )
-
-
-def _extent(
-    client: Client, body: int, parts: Sequence[int]
-) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
-    """Return between which coordinates both fingers are [m]."""
-    boxes = np.array([client.getAABB(body, part) for part in parts])  # (P, 2, 3)
-    return boxes[:, 0].min(0), boxes[:, 1].max(0)
+    return np.array([state[4] for state in states]), gap, middle
 
 
 def _said(point: Float[np.ndarray, "3"]) -> str:
@@ -245,18 +203,10 @@ def _said(point: Float[np.ndarray, "3"]) -> str:
 
 
 def check_lift(client: Client, config: TabletopConfig, arm: Arm) -> None:
-    """Raise unless a hand closes on a plain box in the middle of the table and lifts it.
+    """Raise `InvalidArm` unless a hand closes on a plain box in the middle of the table and lifts it.
 
     The box has the usual mass and friction, so this judges the hand alone. If no object of the world fits
-    between the fingers, nothing is tried.
-
-    Args:
-        client: The physics client; everything in it is replaced.
-        config: The world's options.
-        arm: The arm.
-
-    Raises:
-        InvalidArm: If it does not.
+    between the fingers, nothing is tried. Everything in the physics client is replaced.
     """
     usual = TabletopConfig()
     config = replace(config, mass=usual.mass, friction=usual.friction)
@@ -264,8 +214,15 @@ def check_lift(client: Client, config: TabletopConfig, arm: Arm) -> None:
     height = max(config.height[0], min(width, config.height[1]))
     if width / 2 + MARGIN > arm.half_opening:
         return
-    interaction = Interaction(Simulation(client, config, _box(config, width, height)), arm, 0)
-    outcome = interaction.perform(_lift(height, arm.finger_length), put_down=True)
+    middle = [sum(side) / 2 for side in (config.table_x, config.table_y)]
+    box = Scene(
+        features=np.array([[width, width, height, SOLID]]),
+        positions=np.array([[*middle, height / 2]]),
+        orientations=np.array([[0.0, 0.0, 0.0, 1.0]]),
+    )
+    grasp = max(0.0, (height - arm.finger_length) / 2)  # no deeper than half the fingers are long
+    lift = np.array([(0.0, 0.0, grasp, gripper) for gripper in (1.0, 0.0, 0.0)]).ravel()  # open, then close
+    outcome = Interaction(Simulation(client, config, box), arm, 0).perform(lift, put_down=True)
     x, y, z = (outcome.lifted.positions - outcome.start.positions)[0]
     if not (outcome.held and z >= _LEAST_LIFTED * config.lift_height):
         raise InvalidArm(
@@ -273,21 +230,6 @@ def check_lift(client: Client, config: TabletopConfig, arm: Arm) -> None:
             f"had closed and risen by {config.lift_height:g} m, the box was {_metres(z)} m higher and "
             f"{_metres(np.hypot(x, y))} m aside; valid: fingers that hold it, and forces that fit the masses"
         )
-
-
-def _box(config: TabletopConfig, width: float, height: float) -> Scene:
-    x, y = (sum(side) / 2 for side in (config.table_x, config.table_y))
-    return Scene(
-        features=np.array([[width, width, height, SOLID]]),
-        positions=np.array([[x, y, height / 2]]),
-        orientations=np.array([[0.0, 0.0, 0.0, 1.0]]),
-    )
-
-
-def _lift(height: float, finger_length: float) -> Float[np.ndarray, "12"]:
-    """Open around the box and close there, no deeper than half the fingers are long."""
-    grasp = max(0.0, (height - finger_length) / 2)
-    return np.array([(0.0, 0.0, grasp, gripper) for gripper in (_OPEN, _CLOSED, _CLOSED)]).ravel()
 
 
 def _metres(length: float) -> str:

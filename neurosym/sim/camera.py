@@ -5,8 +5,8 @@ import math
 import sys
 import time
 from collections.abc import Callable, Container, Sequence
-from dataclasses import dataclass
 from functools import cached_property
+from itertools import cycle
 
 import numpy as np
 
@@ -59,41 +59,31 @@ BLANK: Frame = np.full((HEIGHT, WIDTH, 3), 255, dtype=np.uint8)
 NO_SCREEN = "No window can be opened here, for want of a screen; leave out --gui to have pictures written."
 
 
-@dataclass(frozen=True, slots=True)
 class Lens:
-    """Where a camera stands still, what it draws, and where a point in the world lies in its pictures.
+    """Where a camera stands still, with the whole table, the hand and the arm in view, and what it draws."""
 
-    Attributes:
-        target: The point it looks at [m].
-        view: OpenGL's view matrix, column by column.
-        projection: OpenGL's projection matrix, column by column.
-    """
-
-    target: tuple[float, float, float]
-    view: tuple[float, ...]
-    projection: tuple[float, ...]
+    def __init__(self, config: TabletopConfig):
+        self.target = (sum(config.table_x) / 2, sum(config.table_y) / 2, LOOKS_AT_HEIGHT)
+        self._view: tuple[float, ...] = pybullet.computeViewMatrixFromYawPitchRoll(
+            cameraTargetPosition=self.target, distance=DISTANCE, yaw=YAW, pitch=PITCH, roll=0, upAxisIndex=2
+        )
+        self._projection: tuple[float, ...] = pybullet.computeProjectionMatrixFOV(
+            fov=FIELD_OF_VIEW, aspect=WIDTH / HEIGHT, nearVal=0.05, farVal=5
+        )
 
     def pixels(self, points: Float[np.ndarray, "N 3"]) -> Float[np.ndarray, "N 2"]:
-        """Return where points lie in a picture, rightwards and downwards from its upper left corner.
-
-        Args:
-            points: In the world [m], in front of the camera.
-        """
-        view, projection = (np.reshape(matrix, (4, 4)).T for matrix in (self.view, self.projection))
+        """Return where points in the world [m] lie in a picture, from its upper left corner."""
+        view, projection = (np.reshape(matrix, (4, 4)).T for matrix in (self._view, self._projection))
         clip = np.column_stack([points, np.ones(len(points))]) @ (projection @ view).T  # (N, 4)
         return np.asarray((clip[:, :2] / clip[:, 3:] * [1, -1] + 1) / 2 * [WIDTH, HEIGHT])
 
     def draw(self, client: Client) -> tuple[Frame, Depths]:
-        """Render what is in a physics client, without a screen.
-
-        Args:
-            client: The physics client.
-        """
+        """Render what is in a physics client, without a screen."""
         _, _, colours, depths, _ = client.getCameraImage(
             WIDTH,
             HEIGHT,
-            self.view,
-            self.projection,
+            self._view,
+            self._projection,
             lightDirection=LIGHT_FROM,
             lightDistance=LIGHT_DISTANCE,
             shadow=1,
@@ -102,22 +92,6 @@ class Lens:
         )
         frame = np.array(colours, dtype=np.uint8).reshape(HEIGHT, WIDTH, 4)[:, :, :3]
         return frame, np.array(depths, dtype=float).reshape(HEIGHT, WIDTH)
-
-
-def lens_over(config: TabletopConfig) -> Lens:
-    """Return the lens that has the whole table, the hand and the arm in view.
-
-    Args:
-        config: Where the table is.
-    """
-    target = (sum(config.table_x) / 2, sum(config.table_y) / 2, LOOKS_AT_HEIGHT)
-    view = pybullet.computeViewMatrixFromYawPitchRoll(
-        cameraTargetPosition=target, distance=DISTANCE, yaw=YAW, pitch=PITCH, roll=0, upAxisIndex=2
-    )
-    projection = pybullet.computeProjectionMatrixFOV(
-        fov=FIELD_OF_VIEW, aspect=WIDTH / HEIGHT, nearVal=0.05, farVal=5
-    )
-    return Lens(target, view, projection)
 
 
 class Camera:
@@ -136,18 +110,17 @@ class Camera:
         wanted: Container[int] | None = None,
     ):
         self._simulation, self._client = simulation, simulation.client
-        self._lens = lens_over(simulation.config)
+        self._lens = Lens(simulation.config)
         self._wanted, self._centres = wanted, ghosts
         self._taken = 0
         self._waypoints: Float[np.ndarray, "3 3"] | None = None
-        count = len(simulation.bodies)
-        self._colours = [OBJECT_COLOURS[index % len(OBJECT_COLOURS)] for index in range(count)]
+        self._colours = [colour for colour, _ in zip(cycle(OBJECT_COLOURS), simulation.bodies, strict=False)]
         bodies, colours = (simulation.table, *simulation.bodies), (TABLE_COLOUR, *self._colours)
         for body, colour in zip(bodies, colours, strict=True):
             self._client.changeVisualShape(body, -1, rgbaColor=colour)
         _draw_border(self._client, simulation.config)
         self._scene = simulation.observe()
-        self._is_live = _is_window(self._client)
+        self._is_live = self._client.getConnectionInfo()["connectionMethod"] == pybullet.GUI
         if self._is_live:
             self._began = time.monotonic() - simulation.ticks * simulation.config.time_step
             self._client.resetDebugVisualizerCamera(WINDOW_DISTANCE, YAW, PITCH, self._lens.target)
@@ -187,11 +160,7 @@ class Camera:
             client.createMultiBody(0, -1, shape, *pose)
 
     def mark(self, waypoints: Float[np.ndarray, "3 3"]) -> None:
-        """Show the waypoints of an action as dots in the pictures to come, or as small balls in a window.
-
-        Args:
-            waypoints: In the world [m].
-        """
+        """Show waypoints [m] as dots in the pictures to come, or as small balls in a window."""
         self._waypoints = waypoints
         for place, colour in zip(waypoints.tolist() if self._is_live else (), DOT_COLOURS, strict=False):
             ball = self._client.createVisualShape(
@@ -211,19 +180,13 @@ class Camera:
             return BLANK
         frame, depths = self._lens.draw(self._client)
         if self._ghosts:
-            frame = _blended(frame, depths, *self._ghosts)
+            ghosts, ghost_depths = self._ghosts
+            seen = np.nonzero((ghost_depths < 1) & (ghost_depths <= depths))
+            frame = frame.copy()
+            frame[seen] = np.rint((1 - OPACITY) * frame[seen] + OPACITY * ghosts[seen])
         if self._waypoints is not None:
             frame = draw_dots(frame, self._lens.pixels(self._waypoints), DOT_RADIUS)
         return frame
-
-
-def _blended(frame: Frame, depths: Depths, ghosts: Frame, ghost_depths: Depths) -> Frame:
-    """Blend the ghosts into a picture."""
-    rows, columns = np.nonzero((ghost_depths < 1) & (ghost_depths <= depths))
-    behind = (1 - OPACITY) * frame[rows, columns]
-    blended = frame.copy()
-    blended[rows, columns] = np.rint(behind + OPACITY * ghosts[rows, columns])
-    return blended
 
 
 def _draw_border(client: Client, config: TabletopConfig) -> None:
@@ -232,17 +195,17 @@ def _draw_border(client: Client, config: TabletopConfig) -> None:
     The renderer looks at every pixel of the upright rectangle around a triangle. So a line that lies aslant
     in the picture is drawn as many short pieces, of which one side is seen.
     """
-    (left, right), (near, far) = config.table_x, config.table_y
-    corners = np.array([(left, near), (right, near), (right, far), (left, far)])
-    outwards = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * BORDER_WIDTH / 2
+    sides = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    corners = np.array([(config.table_x[x], config.table_y[y]) for x, y in sides])
+    outwards = (2 * np.array(sides) - 1) * BORDER_WIDTH / 2
     shares = np.linspace(0, 1, BORDER_PIECES, endpoint=False)[:, None]
-    rims = [
-        np.concatenate(
-            [start + shares * (end - start) for start, end in zip(rim, np.roll(rim, -1, axis=0), strict=True)]
-        )
-        for rim in (corners - outwards, corners + outwards)
-    ]
-    inner, outer = (np.column_stack([rim, np.full(len(rim), BORDER_HEIGHT)]) for rim in rims)  # (P, 3)
+
+    def rim(corners: Float[np.ndarray, "4 2"]) -> Float[np.ndarray, "P 3"]:
+        ends = zip(corners, np.roll(corners, -1, axis=0), strict=True)
+        points = np.concatenate([start + shares * (end - start) for start, end in ends])
+        return np.column_stack([points, np.full(len(points), BORDER_HEIGHT)])
+
+    inner, outer = rim(corners - outwards), rim(corners + outwards)
     here = np.arange(len(inner))
     there, out = np.roll(here, -1), len(inner)
     triangles = np.stack([here + out, there + out, there, here + out, there, here], axis=1)  # (P, 6)
@@ -257,11 +220,7 @@ def _draw_border(client: Client, config: TabletopConfig) -> None:
 
 
 def open_window() -> Client:
-    """Open a window and return the physics client behind it.
-
-    Raises:
-        InvalidValue: If there is no screen.
-    """
+    """Open a window and return the physics client behind it; raise `InvalidValue` if there is no screen."""
     if not _has_screen():
         raise InvalidValue(NO_SCREEN)
     try:
@@ -290,11 +249,6 @@ def _has_screen() -> bool:
     return bool(display)
 
 
-def _is_window(client: Client) -> bool:
-    """Say whether a physics client is shown in a window."""
-    return bool(client.getConnectionInfo()["connectionMethod"] == pybullet.GUI)
-
-
 # Poses of the simulation, and the simple bodies that the robot and the objects are drawn with
 
 REST_HEIGHT = 0.35
@@ -302,80 +256,49 @@ REST_HEIGHT = 0.35
 
 
 class Poser:
-    """Hands the poses of an interaction to a sink; it only looks, so nothing happens otherwise.
-
-    Args:
-        simulation: The scene.
-        robot: The robot in it.
-        sink: Takes the poses.
-    """
+    """Hands the poses of an interaction to a sink; it only looks, so nothing happens otherwise."""
 
     def __init__(self, simulation: Simulation, robot: Robot, sink: PoseSink):
         self._simulation, self._body, self._sink = simulation, robot.body, sink
         self._every = max(1, round(POSE_SECONDS / simulation.config.time_step))
-        self._links = [*range(simulation.client.getNumJoints(robot.body))]
 
     def look(self, phase: str) -> None:
-        """Hand over a pose, if it is time for one.
-
-        Args:
-            phase: Name of the phase of the motion.
-        """
+        """Hand over a pose, with the phase of the motion, if it is time for one."""
         simulation = self._simulation
-        if simulation.ticks % self._every:
-            return
-        scene, links = simulation.observe(), _links(self._body, self._links, simulation.client)
-        seconds = simulation.ticks * simulation.config.time_step
-        self._sink(Pose(seconds, phase, links, scene.positions, scene.orientations))
+        if simulation.ticks % self._every == 0:
+            scene, links = simulation.observe(), _links(self._body, simulation.client)
+            seconds = simulation.ticks * simulation.config.time_step
+            self._sink(Pose(seconds, phase, links, scene.positions, scene.orientations))
 
 
 def links_at_rest(simulation: Simulation, arm: Arm) -> Float[np.ndarray, "L 7"]:
-    """Return the poses of the links of an arm that waits above the near edge of the table.
-
-    Args:
-        simulation: A scene of its own.
-        arm: The arm.
-    """
+    """Return the poses of the links of an arm that waits above the near edge of the table."""
     c, robot = simulation.config, Robot(simulation, arm)
     point = np.array([c.table_x[0], sum(c.table_y) / 2, c.height[1] + REST_HEIGHT])
     robot.place_at(point, arm.half_opening)
-    links = [*range(simulation.client.getNumJoints(robot.body))]
-    return _links(robot.body, links, simulation.client)
+    return _links(robot.body, simulation.client)
 
 
-def _links(body: int, links: list[int], client: Client) -> Float[np.ndarray, "L 7"]:
+def _links(body: int, client: Client) -> Float[np.ndarray, "L 7"]:
     """Return where the frames of the base and of all links are."""
     base = client.getBasePositionAndOrientation(body)
     inertial = client.getDynamicsInfo(body, -1)[3:5]
     frame = pybullet.multiplyTransforms(*base, *pybullet.invertTransform(*inertial))
-    states = client.getLinkStates(body, links)
-    return np.array([[*frame[0], *frame[1]], *([*state[4], *state[5]] for state in states)])
+    states = client.getLinkStates(body, [*range(client.getNumJoints(body))])
+    return np.array([[*place, *turn] for place, turn in (frame, *(state[4:6] for state in states))])
 
 
 def object_parts(features: Float[np.ndarray, "F"], wall: float) -> tuple[Part, ...]:
-    """Return the boxes that an object is drawn with.
-
-    Args:
-        features: s_x, s_y, d [m] and t.
-        wall: Thickness of walls and floors [m].
-    """
-    return tuple(
-        Part(
-            "box",
-            tuple(2 * edge for edge in half),
-            centre,
-            (0.0, 0.0, math.sin(turn / 2), math.cos(turn / 2)),
-        )
+    """Return the boxes that an object of these features is drawn with, its walls so thick [m]."""
+    boxes = (
+        (tuple(2 * edge for edge in half), centre, (0.0, 0.0, math.sin(turn / 2), math.cos(turn / 2)))
         for half, centre, turn in boxes_of(features, wall)
     )
+    return tuple(Part("box", *box) for box in boxes)
 
 
 def robot_parts(arm: Arm) -> tuple[Part, ...]:
-    """Return the simple bodies that the file of an arm draws it with; meshes are left out.
-
-    Args:
-        arm: The arm. Its links are numbered as the simulator does, the base being 0.
-    """
+    """Return the simple bodies that the file of an arm draws it with, the base being link 0; no meshes."""
     with loaded(arm.urdf, arm.base, visible=True) as (client, body):
         found = client.getVisualShapeData(body)
     return tuple(

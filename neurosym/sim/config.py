@@ -4,7 +4,6 @@ import math
 import os
 import re
 import tempfile
-from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -58,11 +57,7 @@ class Client:
 
 @contextmanager
 def overheard(words: list[str]) -> Iterator[None]:
-    """Keep what PyBullet prints to standard output meanwhile, instead of showing it.
-
-    Args:
-        words: What it says is appended to these.
-    """
+    """Append to some words what PyBullet prints to standard output meanwhile, instead of showing it."""
     with _HEARING, tempfile.TemporaryFile() as file:
         shown = os.dup(1)
         os.dup2(file.fileno(), 1)
@@ -87,86 +82,58 @@ Box = tuple[tuple[float, float, float], tuple[float, float, float], float]
 
 
 def boxes_of(features: Float[np.ndarray, "F"], wall: float) -> list[Box]:
-    """List the boxes that an object is built from.
-
-    Args:
-        features: s_x, s_y, d [m] and t.
-        wall: Thickness of walls and floors [m].
-    """
+    """List the boxes that an object of these features is built from, with walls and floors so thick [m]."""
     x, y, z = (float(size) / 2 for size in features[:3])
+    t, middle = wall / 2, (0.0, 0.0, 0.0)
     if features[3] < (SOLID + OPEN_TOP) / 2:
-        return [((x, y, z), (0.0, 0.0, 0.0), 0.0)]
+        return [((x, y, z), middle, 0.0)]
     if features[3] < (OPEN_TOP + OPEN_THROUGH) / 2:
-        return _open_box(x, y, z, wall / 2)
-    return _ring(x, y, z, wall / 2)
-
-
-def _open_box(x: float, y: float, z: float, t: float) -> list[Box]:
-    return [
-        ((x, y, t), (0.0, 0.0, t - z), 0.0),
-        ((t, y, z - t), (x - t, 0.0, t), 0.0),
-        ((t, y, z - t), (t - x, 0.0, t), 0.0),
-        ((x - 2 * t, t, z - t), (0.0, y - t, t), 0.0),
-        ((x - 2 * t, t, z - t), (0.0, t - y, t), 0.0),
-    ]
-
-
-def _ring(x: float, y: float, z: float, t: float) -> list[Box]:
-    """Build a ring (an ellipse, if x and y differ) of straight segments."""
-    corners = [
-        np.array([(x - t) * math.cos(angle), (y - t) * math.sin(angle)])
-        for angle in np.linspace(0, 2 * math.pi, RING_SEGMENTS + 1)
-    ]
+        return [
+            ((x, y, t), (0.0, 0.0, t - z), 0.0),
+            ((t, y, z - t), (x - t, 0.0, t), 0.0),
+            ((t, y, z - t), (t - x, 0.0, t), 0.0),
+            ((x - 2 * t, t, z - t), (0.0, y - t, t), 0.0),
+            ((x - 2 * t, t, z - t), (0.0, t - y, t), 0.0),
+        ]
+    angles = np.linspace(0, 2 * math.pi, RING_SEGMENTS + 1).tolist()  # a ring, or an ellipse
+    corners = [np.array([(x - t) * math.cos(angle), (y - t) * math.sin(angle)]) for angle in angles]
     boxes: list[Box] = []
     for start, end in pairwise(corners):
-        middle, along = (start + end) / 2, end - start
+        (middle_x, middle_y), along = ((start + end) / 2).tolist(), end - start
         half = float(np.linalg.norm(along)) / 2
-        turn = math.atan2(along[1], along[0])
-        boxes.append(((half, t, z), (float(middle[0]), float(middle[1]), 0.0), turn))
+        boxes.append(((half, t, z), (middle_x, middle_y, 0.0), math.atan2(along[1], along[0])))
     return boxes
 
 
-def _part(whole: Range, low: float, high: float) -> Range:
-    """Return the part of a range between two shares of its length."""
-    least, greatest = whole
-    return least + low * (greatest - least), least + high * (greatest - least)
-
-
-def _box(rng: np.random.Generator, size: Range, height: Range) -> tuple[float, ...]:
-    return rng.uniform(*size), rng.uniform(*size), rng.uniform(*height), SOLID
-
-
-def _open_topped(rng: np.random.Generator, size: Range, height: Range) -> tuple[float, ...]:
-    return rng.uniform(*size), rng.uniform(*size), rng.uniform(*height), OPEN_TOP
-
-
-def _plank(rng: np.random.Generator, size: Range, height: Range) -> tuple[float, ...]:
-    sides = [rng.uniform(*_part(size, 0.5, 1.0)), rng.uniform(*_part(size, 0.0, 0.25))]
-    if rng.random() < 0.5:
-        sides.reverse()
-    return *sides, rng.uniform(*_part(height, 0.0, 0.25)), SOLID
-
-
-def _round(rng: np.random.Generator, size: Range, height: Range) -> tuple[float, ...]:
-    diameter = rng.uniform(*_part(size, 0.5, 1.0))
-    return diameter, diameter, rng.uniform(*_part(height, 0.0, 0.5)), OPEN_THROUGH
-
-
-TYPES = {"box": SOLID, "open-box": OPEN_TOP, "plank": SOLID, "ring": OPEN_THROUGH}
+SHAPES = {"box": SOLID, "open-box": OPEN_TOP, "plank": SOLID, "ring": OPEN_THROUGH}
 """The type of each shape."""
-SHAPES: dict[str, Callable[[np.random.Generator, Range, Range], tuple[float, ...]]] = {
-    "box": _box,
-    "open-box": _open_topped,
-    "plank": _plank,
-    "ring": _round,
-}
-"""Draws the features of an object of each shape from the ranges of sizes and heights [m].
-
-A plank is a flat solid box, one side in the upper half of the sizes and the other in the lowest quarter; a
-ring is round, in the upper half of the sizes and the lower half of the heights.
-"""
 
 
+def draw_features(rng: np.random.Generator, shape: str, size: Range, height: Range) -> tuple[float, ...]:
+    """Draw what an object of one of the `SHAPES` is, from the ranges of sizes and heights [m].
+
+    A plank is a flat solid box, one side in the upper half of the sizes and the other in the lowest quarter;
+    a ring is round, in the upper half of the sizes and the lower half of the heights.
+    """
+
+    def drawn(whole: Range, low: float = 0.0, high: float = 1.0) -> float:
+        """Draw from the part of a range between two shares of its length."""
+        least, greatest = whole
+        return rng.uniform(least + low * (greatest - least), least + high * (greatest - least))
+
+    if shape == "ring":
+        diameter = drawn(size, 0.5)
+        return diameter, diameter, drawn(height, high=0.5), OPEN_THROUGH
+    if shape == "plank":
+        sides = [drawn(size, 0.5), drawn(size, high=0.25)]
+        if rng.random() < 0.5:
+            sides.reverse()
+        return *sides, drawn(height, high=0.25), SOLID
+    return rng.uniform(*size), rng.uniform(*size), rng.uniform(*height), SHAPES[shape]
+
+
+_POSITIVE = ("size", "height", "wall", "mass", "friction", "lift_height", "time_step", "frame_every")
+_NOT_NEGATIVE = ("spawn_margin", "spawn_gap")
 MOST_OBJECTS = 8
 """Objects that one scene can be simulated with; larger problems are symbolic only."""
 
@@ -182,7 +149,7 @@ class TabletopConfig:
         spawn_gap: Objects start at least this far apart [m].
         size: Least and greatest s_x and s_y [m].
         height: Least and greatest d [m].
-        shapes: How often an object is of each shape, relative to the others; see `shapes.SHAPES`.
+        shapes: How often an object is of each shape, relative to the others; see `SHAPES`.
         wall: Thickness of the walls and floors of open objects [m].
         mass: Mass of every object [kg].
         friction: Lateral friction of objects; the table's is 0.6, a finger's 0.9, and the products count.
@@ -206,37 +173,26 @@ class TabletopConfig:
     frame_every: int = 12
 
     def __post_init__(self) -> None:
-        self._check_ranges()
-        self._check_shapes()
-        for name in ("wall", "mass", "friction", "lift_height", "time_step", "frame_every"):
-            if not getattr(self, name) > 0:
-                raise InvalidValue(f"{name} = {getattr(self, name)} must be greater than 0.")
+        tables = {"table_x": self.table_x, "table_y": self.table_y}
+        for name, (least, greatest) in {**tables, "size": self.size, "height": self.height}.items():
+            if least > greatest or (least == greatest and name in tables):
+                raise InvalidValue(f"{name} = [{least}, {greatest}] is empty; put the smaller number first.")
+        for name in (*_POSITIVE, *_NOT_NEGATIVE):
+            value = getattr(self, name)
+            if not np.min(value) >= 0 or (name in _POSITIVE and np.min(value) == 0):
+                valid = "be greater than 0" if name in _POSITIVE else "not be negative"
+                raise InvalidValue(f"{name} = {value} must {valid}.")
         if not 1 / 2000 <= self.time_step <= 1 / 120:
             raise InvalidValue(f"time_step = {self.time_step} s must lie between 1/2000 and 1/120 s.")
         if not (self.size[0] > 2 * self.wall and self.height[0] > self.wall):
             raise InvalidValue(f"wall = {self.wall} leaves no room inside the smallest object.")
-
-    def _check_ranges(self) -> None:
-        for name in ("size", "height", "table_x", "table_y"):
-            least, greatest = getattr(self, name)
-            if least > greatest or (least == greatest and name.startswith("table")):
-                raise InvalidValue(f"{name} = [{least}, {greatest}] is empty; put the smaller number first.")
-        for name in ("size", "height"):
-            if not getattr(self, name)[0] > 0:
-                raise InvalidValue(f"{name} = {list(getattr(self, name))} must be greater than 0 throughout.")
-        for name in ("spawn_margin", "spawn_gap"):
-            if not getattr(self, name) >= 0:
-                raise InvalidValue(f"{name} = {getattr(self, name)} must not be negative.")
-        for name in ("table_x", "table_y"):
-            least, greatest = getattr(self, name)
-            needed = max(self.size[1], 2 * self.spawn_margin)
+        needed = max(self.size[1], 2 * self.spawn_margin)
+        for name, (least, greatest) in tables.items():
             if greatest - least < needed:
                 raise InvalidValue(
                     f"{name} = [{least}, {greatest}] is shorter than the {needed} m that objects of size "
                     f"{self.size[1]} m and spawn_margin {self.spawn_margin} m need; lengths are in metres."
                 )
-
-    def _check_shapes(self) -> None:
         for name, share in self.shapes.items():
             if name not in SHAPES:
                 raise UnknownChoice("shape", name, SHAPES)
@@ -248,7 +204,7 @@ class TabletopConfig:
     @property
     def object_limits(self) -> ObjectLimits:
         """Which objects the world makes."""
-        types = {TYPES[name] for name, share in self.shapes.items() if share > 0}
+        types = {SHAPES[name] for name, share in self.shapes.items() if share > 0}
         sizes = self.size, self.size, self.height
         return ObjectLimits(FEATURE_NAMES, sizes, tuple(sorted(types)), MOST_OBJECTS)
 
@@ -325,28 +281,20 @@ class Arm:
             raise InvalidArm(
                 f"of {self.urdf} has {len(self.forces)} forces for {len(self.joints)} joints; valid: one each"
             )
-        lengths = (
-            "half_opening",
-            "finger_length",
-            "finger_half_width",
-            "finger_thickness",
-            "palm_half_size",
-            "mass_scale",
-            "forces",
-        )
-        for name in lengths:
+        for name in _LENGTHS:
             value = getattr(self, name)
             if not all(0 < number < math.inf for number in np.atleast_1d(value)):
                 raise InvalidArm(f"of {self.urdf} has {name} = {value}; valid: greater than 0")
 
 
-def check_reach(config: TabletopConfig, arm: Arm) -> None:
-    """Raise `InvalidValue` unless an arm reaches over the whole table, as high as it lifts.
+_LENGTHS = (
+    *("half_opening", "finger_length", "finger_half_width", "finger_thickness", "palm_half_size"),
+    *("mass_scale", "forces"),
+)
 
-    Args:
-        config: The world's options.
-        arm: The arm.
-    """
+
+def check_reach(config: TabletopConfig, arm: Arm) -> None:
+    """Raise `InvalidValue` unless an arm reaches over the whole table, as high as it lifts."""
     for corner in corners(config):
         try:
             arm.inverse_kinematics(corner[None])
@@ -360,11 +308,7 @@ def check_reach(config: TabletopConfig, arm: Arm) -> None:
 
 
 def corners(config: TabletopConfig) -> Float[np.ndarray, "8 3"]:
-    """Return the corners of the space over the table that an arm must reach [m].
-
-    Args:
-        config: The world's options.
-    """
+    """Return the corners of the space over the table that an arm must reach [m]."""
     heights = config.height[0], config.height[1] + config.lift_height
     return np.array([*product(config.table_x, config.table_y, heights)])
 
@@ -373,9 +317,7 @@ def corners(config: TabletopConfig) -> Float[np.ndarray, "8 3"]:
 
 _HEADINGS = re.compile(r"b3\w+\[[^\]]*\]:\s*")
 """What PyBullet puts before each piece of what it says: where in its sources it says it."""
-_MESH = re.compile(
-    r"cannot find '(?P<lost>[^']+)' in any directory|cannot extract mesh from '(?P<broken>[^']+)'"
-)
+_MESH = re.compile(r"cannot find '[^']+' in any directory|cannot extract mesh from")
 
 
 @contextmanager
@@ -388,14 +330,8 @@ def loaded(
 ) -> Iterator[tuple[Client, int]]:
     """Load a robot into a simulation that is used for nothing else, and yield that and the robot.
 
-    Args:
-        urdf: The file.
-        base: Where the base stands in the world [m].
-        collides: Whether collision shapes are loaded, too.
-        visible: Whether its looks are loaded, too.
-
-    Raises:
-        InvalidArm: If the file cannot be read.
+    Its base stands there in the world [m]; what it collides with and looks like is loaded if asked for.
+    Raises `InvalidArm` if the file cannot be read.
     """
     flags = pybullet.URDF_USE_INERTIA_FROM_FILE
     flags |= 0 if collides else pybullet.URDF_IGNORE_COLLISION_SHAPES
@@ -409,74 +345,36 @@ def loaded(
 
 
 def _load(client: Client, urdf: str, base: tuple[float, float, float], flags: int) -> int:
-    robot = _parsed(urdf)
-    if problem := _tree_problem(robot):
-        raise _unreadable(urdf, problem)  # PyBullet would crash
-    said: list[str] = []
     try:
-        with overheard(said):
-            body = client.loadURDF(urdf, base, useFixedBase=True, flags=flags)
-    except pybullet.error as error:
-        raise _unreadable(urdf, _mesh_problem(robot, said[0]) or _plainly(said[0])) from error
-    if problem := _mesh_problem(robot, said[0]):
-        raise _unreadable(urdf, problem)
-    return int(body)
-
-
-def _parsed(urdf: str) -> ElementTree.Element:
-    try:
-        return ElementTree.fromstring(read_text(Path(urdf)))
+        robot = ElementTree.fromstring(read_text(Path(urdf)))
     except InvalidFile as error:
         raise _unreadable(urdf, str(error).removeprefix(f"{Path(urdf)} cannot be used: ")) from error
     except ElementTree.ParseError as error:
         raise _unreadable(urdf, f"it is no whole XML ({error})") from error
+    if not _is_tree(robot):  # which would end the process
+        raise _unreadable(urdf, "its joints make no tree of its links; valid: each but one is a child")
+    said: list[str] = []
+    try:
+        with overheard(said):
+            body = client.loadURDF(urdf, base, useFixedBase=True, flags=flags)
+    except pybullet.error:
+        body = None
+    if body is None or _MESH.search(said[0]):
+        words = " ".join(_HEADINGS.sub(" ", said[0]).split())
+        raise _unreadable(urdf, f"PyBullet says: {words}" if words else "it describes no robot")
+    return int(body)
 
 
-def _tree_problem(robot: ElementTree.Element) -> str:
-    """Say what keeps the links from being one tree, or nothing."""
-    names = [str(link.get("name")) for link in robot.findall("link")]
+def _is_tree(robot: ElementTree.Element) -> bool:
+    """Say whether joints lead from one link to all others, to each by one way."""
+    links = {link.get("name") for link in robot.findall("link")}
     ends = [(joint.find("parent"), joint.find("child")) for joint in robot.findall("joint")]
-    pairs = [
-        (str(above.get("link")), str(below.get("link")))
-        for above, below in ends
-        if above is not None and below is not None
-    ]
-    if unknown := next((name for pair in pairs for name in pair if name not in names), None):
-        return f"a joint names the link {unknown}, which it does not describe; valid: {', '.join(names)}"
-    children = Counter(child for _, child in pairs)
-    if twice := [name for name, count in children.items() if count > 1]:
-        return f"the link {twice[0]} is the child of {children[twice[0]]} joints; valid: of one"
-    roots = [name for name in names if name not in children]
-    if len(roots) > 1:
-        return f"the links {' and '.join(roots[:2])} are no joint's child; valid: one such link, the base"
-    reached = found = set(roots)
-    while found:
-        found = {child for parent, child in pairs if parent in reached} - reached
-        reached = reached | found
-    if around := sorted(set(names) - reached):
-        return f"its joints lead round in a circle at the link {around[0]}; valid: a tree"
-    return ""
-
-
-def _mesh_problem(robot: ElementTree.Element, said: str) -> str:
-    """Tell which mesh PyBullet did not find or read, and of which link; or nothing."""
-    if (match := _MESH.search(said)) is None:
-        return ""
-    name = match["lost"] or match["broken"]
-    for link in robot.iter("link"):
-        for mesh in link.iter("mesh"):
-            written = mesh.get("filename", "")
-            if written and Path(written).name == Path(name).name:
-                name = f"{written} of the link {link.get('name')}"
-    why = "is not found" if match["lost"] else "cannot be read"
-    valid = "a path from the file's folder" if match["lost"] else "a whole .stl, .obj or .dae file"
-    return f"the mesh {name} {why}; valid: {valid}"
-
-
-def _plainly(said: str) -> str:
-    """Say in one line what PyBullet said."""
-    words = " ".join(_HEADINGS.sub(" ", said).split())
-    return f"PyBullet says: {words}" if words else "it describes no robot"
+    pairs = [(a.get("link"), b.get("link")) for a, b in ends if a is not None and b is not None]
+    reached = front = links - {child for _, child in pairs}
+    while front:
+        front = {child for parent, child in pairs if parent in front} - reached
+        reached = reached | front
+    return not links or (reached == links and len(pairs) == len(links) - 1)
 
 
 def _unreadable(urdf: str, why: str) -> InvalidArm:

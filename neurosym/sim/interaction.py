@@ -39,16 +39,7 @@ _WATCH_EVERY, _TOUCH_EVERY = 8, 4
 
 
 class Interaction:
-    """The steps of the protocol, in a simulation of their own.
-
-    Args:
-        simulation: The scene, at rest.
-        arm: The arm that acts in it.
-        target: Index of the object acted upon.
-        on_frame: Called with pictures of the motion, if given.
-        camera: Takes them.
-        on_pose: Called with the poses of the motion, if given.
-    """
+    """The steps of the protocol, performed on a target in a simulation of its own that is at rest."""
 
     def __init__(
         self,
@@ -59,29 +50,18 @@ class Interaction:
         camera: Camera | None = None,
         on_pose: PoseSink | None = None,
     ):
-        self._simulation = simulation
-        self._arm = arm
-        self._target = target
-        self._phase = "start"
-        self._peak = -math.inf
-        self._is_narrow = False
+        self._simulation, self._arm, self._target = simulation, arm, target
+        self._phase, self._peak, self._is_narrow = "start", -math.inf, False
         self._touched: set[int] = set()
         self._robot = Robot(simulation, arm, visible=on_frame is not None)
-        self._on_frame = on_frame
-        self._camera = camera
+        self._on_frame, self._camera = on_frame, camera
         self._poser = Poser(simulation, self._robot, on_pose) if on_pose else None
         simulation.after_step = self._watch
 
     def perform(
         self, action: Float[np.ndarray, "A"], put_down: bool, reference: Reference | None = None
     ) -> Outcome:
-        """Run the protocol with these action parameters.
-
-        Args:
-            action: Three waypoints (x, y, z, g), relative to the target's centre.
-            put_down: Whether to put down an object that is held after the rise.
-            reference: What the third waypoint is relative to instead, if anything.
-        """
+        """Run the protocol with three waypoints (x, y, z, g), the last relative to the reference, if any."""
         waypoints = action.reshape(3, 4)
         self._is_narrow = reference is not None
         self._park_robot()
@@ -133,12 +113,7 @@ class Interaction:
         if ticks % _WATCH_EVERY == 0:
             self._peak = max(self._peak, simulation.height_of(self._target))
         if len(simulation.bodies) > 1 and ticks % _TOUCH_EVERY == 0:
-            bodies = simulation.touched_by(self._robot.body)
-            self._touched |= {
-                index
-                for index, body in enumerate(simulation.bodies)
-                if body in bodies and index != self._target
-            }
+            self._touched |= self._in_contact(self._robot.body) - {self._target}
         if self._camera and self._on_frame and ticks % simulation.config.frame_every == 0:
             self._on_frame(self._camera.picture(), self._phase)
         if self._poser:
@@ -147,8 +122,8 @@ class Interaction:
     def _park_robot(self) -> None:
         """Put the hand high above the table's middle, out of every object's way."""
         c = self._simulation.config
-        tops = (high for _, high in self._heights())
-        height = max(c.height[1] + PARKING_CLEARANCE, max(tops) + LEAST_PARKING_CLEARANCE)
+        top = max(high for _, high in self._heights())
+        height = max(c.height[1] + PARKING_CLEARANCE, top + LEAST_PARKING_CLEARANCE)
         point = np.array([sum(c.table_x) / 2, sum(c.table_y) / 2, height])
         self._robot.place_at(point, self._arm.half_opening)
 
@@ -166,20 +141,14 @@ class Interaction:
         arm = self._arm
         offset = half_opening + arm.finger_thickness / 2
         finger = (arm.finger_half_width, arm.finger_thickness / 2)
-        parts = (
-            (point[1] + offset, finger, 0.0),
-            (point[1] - offset, finger, 0.0),
-            (point[1], arm.palm_half_size, arm.finger_length),
-        )
+        parts = ((offset, finger, 0.0), (-offset, finger, 0.0), (0.0, arm.palm_half_size, arm.finger_length))
         heights = [0.0]
-        for body in self._simulation.bodies:
-            low, high = self._simulation.client.getAABB(body)
-            for y, (half_x, half_y), above_tool_point in parts:
-                if (
-                    low[0] - half_x < point[0] + CLEARANCE
-                    and point[0] - CLEARANCE < high[0] + half_x
-                    and low[1] - half_y < y + CLEARANCE
-                    and y - CLEARANCE < high[1] + half_y
+        for low, high in map(self._simulation.client.getAABB, self._simulation.bodies):
+            for aside, half_size, above_tool_point in parts:
+                middle = (point[0], point[1] + aside)
+                if all(
+                    least - half < at + CLEARANCE and at - CLEARANCE < greatest + half
+                    for least, greatest, half, at in zip(low, high, half_size, middle, strict=False)
                 ):
                     heights.append(high[2] + CLEARANCE - above_tool_point)
         return max(heights)
@@ -190,11 +159,9 @@ class Interaction:
         return _grasp_opening(self._simulation, self._target, y, widest) if self._is_narrow else widest
 
     def _set_gripper(self, is_open: bool) -> None:
-        if is_open == self._robot.is_open:
-            return
-        if is_open:
+        if is_open and not self._robot.is_open:
             self._robot.open(self._opening(float(self._robot.tool_point()[1])))
-        else:
+        elif self._robot.is_open and not is_open:
             self._robot.close()
 
     def _rise(self) -> None:
@@ -210,40 +177,31 @@ class Interaction:
         return [index for index, body in enumerate(bodies) if body in carried - standing]
 
     def _carry(self, point: Float[np.ndarray, "3"]) -> bool:
-        """Carry the target over a point and set it down there; return whether it hung so far.
-
-        Args:
-            point: Where the tool point goes, at whatever height [m].
-        """
+        """Carry the target over a point [m], set it down there, and return whether it hung so far."""
         if not self._simulation.touched_by(self._robot.body):
             return False
         self._phase = "carry"
         self._robot.move_to(self._robot.tool_point() + np.array([0.0, 0.0, GRASP_TEST]))
         hanging = self._hanging()
-        if self._target not in hanging or self._grips_others():
-            return False
+        if self._target not in hanging or self._in_contact(self._robot.body) - {self._target}:
+            return False  # it hangs not, or others would be dropped on the way
+        heights = self._heights()
+        bottom = min(heights[index][0] for index in hanging)
+        top = max((high for index, (_, high) in enumerate(heights) if index not in hanging), default=0.0)
         x, y, z = self._robot.tool_point()
-        height = z + self._missing_height(hanging)
-        arrived = self._robot.move_to(np.array([x, y, height])) and self._robot.move_to(
-            np.array([point[0], point[1], height])
-        )
+        z += max(0.0, top + TRANSIT_CLEARANCE - bottom)  # to pass over all the rest
+        places = np.array([[x, y, z], [point[0], point[1], z]])
+        arrived = all(map(self._robot.move_to, places))
         hanging = self._hanging()
         if not arrived or self._target not in hanging:
             return False
         self._set_down(hanging)
         return True
 
-    def _grips_others(self) -> bool:
-        """Say whether the hand touches other objects than the target, which it would drop on the way."""
-        others = set(self._simulation.bodies) - {self._simulation.bodies[self._target]}
-        return bool(others & self._simulation.touched_by(self._robot.body))
-
-    def _missing_height(self, hanging: Sequence[int]) -> float:
-        """Return how much higher what hangs must be to pass over all the rest [m]."""
-        heights = self._heights()
-        bottom = min(heights[index][0] for index in hanging)
-        tops = (high for index, (_, high) in enumerate(heights) if index not in hanging)
-        return max(0.0, max(tops, default=0.0) + TRANSIT_CLEARANCE - bottom)
+    def _in_contact(self, body: int) -> set[int]:
+        """Return the indices of the objects that a body touches."""
+        touched = self._simulation.touched_by(body)
+        return {index for index, other in enumerate(self._simulation.bodies) if other in touched}
 
     def _heights(self) -> list[tuple[float, float]]:
         """Return from which height to which each object reaches [m]."""
@@ -270,17 +228,16 @@ class Interaction:
 
     def _has_landed(self, hanging: Sequence[int]) -> bool:
         simulation = self._simulation
-        ground = [simulation.table]
-        ground += [body for index, body in enumerate(simulation.bodies) if index not in hanging]
-        return any(simulation.touch(simulation.bodies[index], other) for index in hanging for other in ground)
+        up = {simulation.bodies[index] for index in hanging}
+        ground = {simulation.table, *simulation.bodies} - up
+        return any(simulation.touched_by(body) & ground for body in up)
 
     def _contacts(self) -> Iterator[tuple[int, int]]:
         """List the pairs of objects that touch now."""
         for index, body in enumerate(self._simulation.bodies):
-            touched = self._simulation.touched_by(body)
-            for number in range(index + 1, len(self._simulation.bodies)):
-                if self._simulation.bodies[number] in touched:
-                    yield index, number
+            for other in sorted(self._in_contact(body)):
+                if other > index:
+                    yield index, other
 
     def _disturbed(self, start: Scene, end: Scene) -> Iterator[tuple[int, Disturbance]]:
         """Tell which bystanders ended elsewhere, and how."""
@@ -338,7 +295,10 @@ def _landing_shift(
     corners = _corners(features) @ object_in_world.T  # (corners, 3)
     pivot = corners[np.argmin(corners[:, 2])]
     face = object_in_world[:, np.argmax(np.abs(object_in_world[2]))]
-    return np.asarray((pivot - _upright(face * np.sign(face[2])) @ pivot)[:2])
+    x, y, z = face * np.sign(face[2])
+    cross = np.array([[0.0, 0.0, -x], [0.0, 0.0, -y], [x, y, 0.0]])  # of the face and the vertical
+    upright = np.eye(3) + cross + cross @ cross / (1 + z)  # the smallest rotation between them (Rodrigues)
+    return np.asarray((pivot - upright @ pivot)[:2])
 
 
 def _corners(features: Float[np.ndarray, "F"]) -> Float[np.ndarray, "corners 3"]:
@@ -349,10 +309,3 @@ def _corners(features: Float[np.ndarray, "F"]) -> Float[np.ndarray, "corners 3"]
     else:
         outline = np.array([[x, y], [x, -y], [-x, y], [-x, -y]])
     return np.vstack([np.column_stack([outline, np.full(len(outline), side)]) for side in (-z, z)])
-
-
-def _upright(axis: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
-    """Return the smallest rotation that brings an upward axis to the vertical (Rodrigues' formula)."""
-    x, y, z = axis
-    cross = np.array([[0.0, 0.0, -x], [0.0, 0.0, -y], [x, y, 0.0]])  # of the axis and the vertical
-    return np.asarray(np.eye(3) + cross + cross @ cross / (1 + z))

@@ -15,7 +15,7 @@ import numpy as np
 
 from neurosym.checks import Bool, Float
 from neurosym.errors import InvalidArm, InvalidValue
-from neurosym.sim.config import TOOL_DOWN, Client, loaded, pybullet
+from neurosym.sim.config import TOOL_DOWN, loaded, pybullet
 
 MOST_STEPS = 100
 LARGEST_STEP = 0.5
@@ -42,14 +42,6 @@ class Chain:
     origins: Float[np.ndarray, "J 3"]
     limits: Float[np.ndarray, "J 2"]
     tool: Float[np.ndarray, "4 4"]
-
-    def twists(self) -> Float[np.ndarray, "J 4 4"]:
-        """Return the matrices whose exponentials are the motions about, or along, the axes."""
-        twists = np.zeros((len(self.axes), 4, 4))
-        turning = np.where(self.slides[:, None], 0.0, self.axes)
-        twists[:, :3, :3] = np.cross(np.eye(3), turning[:, None])  # x -> axis x x
-        twists[:, :3, 3] = np.where(self.slides[:, None], self.axes, np.cross(self.origins, turning))
-        return twists
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,34 +78,23 @@ class NumericInverse:
         """
         chain = read_chain(self.urdf, self.base, self.joints, self.tool)
         home = np.array(self.home, dtype=float)
-        joints, solved = _solve(chain, points, home)
-        within = (joints >= chain.limits[:, 0]) & (joints <= chain.limits[:, 1])
-        reached = solved & within.all(axis=1)
-        if not reached.all():
-            x, y, z = points[int(np.argmin(reached))]
+        joints, left = np.tile(home, (len(points), 1)), np.arange(len(points))  # points not solved for yet
+        for _ in range(MOST_STEPS):
+            pose, jacobian = forward(chain, joints[left])
+            turn = _turn_between(pose[:, :3, :3], TOOL_DOWN)
+            error = np.concatenate([points[left] - pose[:, :3, 3], turn], axis=1)  # (N, 6)
+            step = _step(jacobian, error, home - joints[left])
+            largest = np.abs(step).max(axis=1)
+            joints[left] += step * np.minimum(1.0, LARGEST_STEP / np.maximum(largest, LARGEST_STEP))[:, None]
+            left = left[(np.abs(error).max(axis=1) > TOLERANCE) | (largest > STILL)]
+            if not len(left):
+                break
+        beyond = np.any((joints < chain.limits[:, 0]) | (joints > chain.limits[:, 1]), axis=1)
+        beyond[left] = True
+        if beyond.any():
+            x, y, z = points[int(np.argmax(beyond))]
             raise InvalidValue(f"The point ({x:.3f}, {y:.3f}, {z:.3f}) m is out of the arm's reach.")
         return joints
-
-
-def _solve(
-    chain: Chain, points: Float[np.ndarray, "N 3"], home: Float[np.ndarray, "J"]
-) -> tuple[Float[np.ndarray, "N J"], Bool[np.ndarray, "N"]]:
-    """Find the joint angles nearest to home that bring the tool to each point, and which were reached."""
-    joints = np.tile(home, (len(points), 1))
-    open_ = np.arange(len(points))  # points not solved for yet
-    for _ in range(MOST_STEPS):
-        pose, jacobian = forward(chain, joints[open_])
-        turn = _turn_between(pose[:, :3, :3], TOOL_DOWN)
-        error = np.concatenate([points[open_] - pose[:, :3, 3], turn], axis=1)  # (N, 6)
-        step = _step(jacobian, error, home - joints[open_])
-        largest = np.abs(step).max(axis=1)
-        joints[open_] += step * np.minimum(1.0, LARGEST_STEP / np.maximum(largest, LARGEST_STEP))[:, None]
-        open_ = open_[(np.abs(error).max(axis=1) > TOLERANCE) | (largest > STILL)]
-        if not len(open_):
-            break
-    solved = np.ones(len(points), dtype=bool)
-    solved[open_] = False
-    return joints, solved
 
 
 def _step(
@@ -129,13 +110,12 @@ def _step(
 def forward(
     chain: Chain, joints: Float[np.ndarray, "N J"]
 ) -> tuple[Float[np.ndarray, "N 4 4"], Float[np.ndarray, "N 6 J"]]:
-    """Return the tool's pose in the world and the geometric Jacobian of its point and orientation.
-
-    Args:
-        chain: The arm.
-        joints: Joint angles [rad].
-    """
-    slides, twists = chain.slides, chain.twists()
+    """Return the tool's pose in the world and the geometric Jacobian of its point and orientation."""
+    slides, slide = chain.slides, chain.slides[:, None]
+    twists = np.zeros((len(slides), 4, 4))  # the motions about, or along, the axes are their exponentials
+    turning = np.where(slide, 0.0, chain.axes)
+    twists[:, :3, :3] = np.cross(np.eye(3), turning[:, None])  # x -> axis x x
+    twists[:, :3, 3] = np.where(slide, chain.axes, np.cross(chain.origins, turning))
     first = np.where(slides, joints, np.sin(joints))[..., None, None]
     second = np.where(slides, 0.0, 1 - np.cos(joints))[..., None, None]
     motions = np.eye(4) + first * twists + second * (twists @ twists)  # (N, J, 4, 4), Rodrigues
@@ -148,7 +128,6 @@ def forward(
     axes = (before[..., :3, :3] @ chain.axes[..., None])[..., 0]  # (N, J, 3)
     origins = (before[..., :3, :3] @ chain.origins[..., None])[..., 0] + before[..., :3, 3]
     swept = np.cross(axes, pose[:, None, :3, 3] - origins)
-    slide = slides[:, None]
     jacobian = np.concatenate([np.where(slide, axes, swept), np.where(slide, 0.0, axes)], axis=2)
     return pose, jacobian.transpose(0, 2, 1)
 
@@ -166,37 +145,28 @@ def _turn_between(
 
 @lru_cache
 def read_chain(urdf: str, base: tuple[float, float, float], joints: tuple[int, ...], tool: int) -> Chain:
-    """Read the geometry of an arm from its file.
+    """Read the geometry of an arm from its file, with its base there in the world [m].
 
-    Args:
-        urdf: The file.
-        base: Where the base stands in the world [m].
-        joints: Indices of the J joints.
-        tool: Index of the tool's link.
-
-    Raises:
-        InvalidArm: If the file cannot be read, or has no such joints.
-        InvalidValue: If a joint neither turns nor slides.
+    Raises `InvalidValue`, of which `InvalidArm` is one, if the file cannot be read, or a joint cannot be.
     """
     with loaded(urdf, base, collides=False) as (client, body):
-        return _read_chain(client, body, joints, tool)
-
-
-def _read_chain(client: Client, body: int, joints: tuple[int, ...], tool: int) -> Chain:
-    count = client.getNumJoints(body)
-    for number in (*joints, tool):
-        if not 0 <= number < count:
-            raise InvalidArm(f"has no joint or link {number}; valid: 0 to {count - 1}")
-    infos = [client.getJointInfo(body, joint) for joint in joints]
-    for info in infos:
-        if info[2] not in (pybullet.JOINT_REVOLUTE, pybullet.JOINT_PRISMATIC):
-            raise InvalidValue(f"Joint {info[0]} ({info[1].decode()}) neither turns nor slides.")
-    for joint in range(count):
-        client.resetJointState(body, joint, 0.0)
-    frames = np.array([_frame(client, body, link) for link in (*joints, tool)])  # (J + 1, 4, 4)
-    lower, upper = (np.array([info[column] for info in infos]) for column in (8, 9))
-    unlimited = lower >= upper  # as PyBullet says it of continuous joints
-    limits = np.stack([np.where(unlimited, -np.inf, lower), np.where(unlimited, np.inf, upper)], axis=1)
+        count = client.getNumJoints(body)
+        for number in (*joints, tool):
+            if not 0 <= number < count:
+                raise InvalidArm(f"has no joint or link {number}; valid: 0 to {count - 1}")
+        infos = [client.getJointInfo(body, joint) for joint in joints]
+        for info in infos:
+            if info[2] not in (pybullet.JOINT_REVOLUTE, pybullet.JOINT_PRISMATIC):
+                raise InvalidValue(f"Joint {info[0]} ({info[1].decode()}) neither turns nor slides.")
+        for joint in range(count):
+            client.resetJointState(body, joint, 0.0)
+        states = client.getLinkStates(body, (*joints, tool), computeForwardKinematics=1)
+    frames = np.tile(np.eye(4), (len(states), 1, 1))  # (J + 1, 4, 4)
+    for frame, state in zip(frames, states, strict=True):
+        frame[:3, :3] = np.reshape(pybullet.getMatrixFromQuaternion(state[5]), (3, 3))
+        frame[:3, 3] = state[4]
+    limits = np.array([info[8:10] for info in infos])
+    limits[limits[:, 0] >= limits[:, 1]] = -np.inf, np.inf  # as PyBullet says it of continuous joints
     return Chain(
         slides=np.array([info[2] == pybullet.JOINT_PRISMATIC for info in infos]),
         axes=(frames[:-1, :3, :3] @ np.array([info[13] for info in infos])[..., None])[..., 0],
@@ -204,11 +174,3 @@ def _read_chain(client: Client, body: int, joints: tuple[int, ...], tool: int) -
         limits=limits,
         tool=frames[-1],
     )
-
-
-def _frame(client: Client, body: int, link: int) -> Float[np.ndarray, "4 4"]:
-    state = client.getLinkState(body, link, computeForwardKinematics=1)
-    frame = np.eye(4)
-    frame[:3, :3] = np.array(pybullet.getMatrixFromQuaternion(state[5])).reshape(3, 3)
-    frame[:3, 3] = state[4]
-    return frame

@@ -26,68 +26,34 @@ _CHECK_EVERY = 4
 
 
 class Robot:
-    """An arm and its two-finger hand in a simulation.
-
-    Args:
-        simulation: Where it stands.
-        arm: Which arm.
-        visible: Whether pictures will be taken; without its looks the arm loads faster.
-    """
+    """An arm and its two-finger hand in a simulation; without its looks it loads faster."""
 
     def __init__(self, simulation: Simulation, arm: Arm, *, visible: bool = False):
-        self._client = simulation.client
-        self._time_step = simulation.config.time_step
-        self._step = simulation.step
-        self._arm = arm
-        self.body = self._client.loadURDF(
-            arm.urdf,
-            arm.base,
-            useFixedBase=True,
-            flags=pybullet.URDF_USE_INERTIA_FROM_FILE
-            | (0 if visible else pybullet.URDF_IGNORE_VISUAL_SHAPES),
-        )
-        self._scale_masses()
+        self._client = client = simulation.client
+        self._time_step, self._step, self._arm = simulation.config.time_step, simulation.step, arm
+        flags = pybullet.URDF_USE_INERTIA_FROM_FILE
+        flags |= 0 if visible else pybullet.URDF_IGNORE_VISUAL_SHAPES
+        self.body = body = client.loadURDF(arm.urdf, arm.base, useFixedBase=True, flags=flags)
+        for link in range(client.getNumJoints(body) if arm.mass_scale != 1.0 else 0):
+            info = client.getDynamicsInfo(body, link)
+            mass, inertia = info[0] * arm.mass_scale, [arm.mass_scale * axis for axis in info[2]]
+            client.changeDynamics(body, link, mass=mass, localInertiaDiagonal=inertia)
+        frictions = {"lateralFriction": FINGER_FRICTION, "spinningFriction": FINGER_TWISTING_FRICTION}
         for finger in arm.fingers:
-            self._client.changeDynamics(
-                self.body,
-                finger,
-                lateralFriction=FINGER_FRICTION,
-                spinningFriction=FINGER_TWISTING_FRICTION,
-                jointLowerLimit=0.0,
-            )
-        self._couple_fingers()
+            client.changeDynamics(body, finger, jointLowerLimit=0.0, **frictions)
+        left, right = arm.fingers
+        axis, middle = [0, 1, 0], [0, 0, 0]
+        gear = client.createConstraint(body, left, body, right, pybullet.JOINT_GEAR, axis, middle, middle)
+        client.changeConstraint(gear, gearRatio=-1, maxForce=200, erp=0.5)
         self.is_open = True
 
-    def _scale_masses(self) -> None:
-        if self._arm.mass_scale == 1.0:
-            return
-        for link in range(self._client.getNumJoints(self.body)):
-            info = self._client.getDynamicsInfo(self.body, link)
-            mass, inertia = info[0] * self._arm.mass_scale, [self._arm.mass_scale * axis for axis in info[2]]
-            self._client.changeDynamics(self.body, link, mass=mass, localInertiaDiagonal=inertia)
-
-    def _couple_fingers(self) -> None:
-        left, right = self._arm.fingers
-        gear = self._client.createConstraint(
-            self.body, left, self.body, right, pybullet.JOINT_GEAR, [0, 1, 0], [0, 0, 0], [0, 0, 0]
-        )
-        self._client.changeConstraint(gear, gearRatio=-1, maxForce=200, erp=0.5)
-
     def place_at(self, point: Float[np.ndarray, "3"], half_opening: float) -> None:
-        """Put the hand somewhere at once, motionless, pointing down.
-
-        Args:
-            point: Tool point in the world [m].
-            half_opening: Position of each finger [m].
-        """
-        angles = self._angles_at(point)
-        for joint, angle in zip(self._arm.joints, angles, strict=True):
-            self._client.resetJointState(self.body, joint, angle, 0.0)
-        for finger in self._arm.fingers:
-            self._client.resetJointState(self.body, finger, half_opening, 0.0)
+        """Put the hand at a point [m] at once, motionless, pointing down, each finger so far out [m]."""
+        positions = [*self._hold(point), half_opening, half_opening]
+        for joint, position in zip((*self._arm.joints, *self._arm.fingers), positions, strict=True):
+            self._client.resetJointState(self.body, joint, position, 0.0)
         self.is_open = half_opening > 0
         self._drive_fingers(half_opening, HOLDING_FORCE if self.is_open else CLOSING_FORCE)
-        self._drive_arm(angles, [0.0] * len(angles))
 
     def tool_point(self) -> Float[np.ndarray, "3"]:
         """Return where the tool point is in the world [m]."""
@@ -105,15 +71,9 @@ class Robot:
         peak_speed: float = PEAK_SPEED,
         until: Callable[[], bool] | None = None,
     ) -> bool:
-        """Move in a straight line, with a smooth start and end.
+        """Move in a straight line to a point above the table [m], with a smooth start and end.
 
-        Args:
-            point: Where to bring the tool point [m]; it is kept above the table.
-            peak_speed: Greatest speed on the way [m/s].
-            until: Ends the motion early when true, if given.
-
-        Returns:
-            Whether the motion came to its end; False if something held the hand back or `until` ended it.
+        Returns whether the motion came to its end; not if something held the hand back, or `until` came true.
         """
         start = self.tool_point()
         goal = np.array([point[0], point[1], max(point[2], LOWEST_TOOL_POINT)])
@@ -126,21 +86,16 @@ class Robot:
         for tick, (wanted, angles, speeds) in enumerate(ticks):
             self._drive_arm(angles, speeds)
             self._step()
-            if until is not None and until():
-                self.hold()
-                return False
-            if tick % _CHECK_EVERY == 0 and math.dist(self.tool_point(), wanted) > STALL_ERROR:
-                self.hold()
+            is_over = until is not None and until()
+            if is_over or (tick % _CHECK_EVERY == 0 and math.dist(self.tool_point(), wanted) > STALL_ERROR):
+                self._hold(self.tool_point())
                 return False
         return True
 
-    def hold(self) -> None:
-        """Stay where the hand is now."""
-        angles = self._angles_at(self.tool_point())
-        self._drive_arm(angles, [0.0] * len(angles))
-
-    def _angles_at(self, point: Float[np.ndarray, "3"]) -> list[float]:
+    def _hold(self, point: Float[np.ndarray, "3"]) -> list[float]:
+        """Stay at a point [m], and return the joint angles there [rad]."""
         angles: list[float] = self._arm.inverse_kinematics(point[None])[0].tolist()
+        self._drive_arm(angles, [0.0] * len(angles))
         return angles
 
     def close(self) -> None:
@@ -150,11 +105,7 @@ class Robot:
         self.is_open = False
 
     def open(self, half_opening: float | None = None) -> None:
-        """Open the fingers gently until they stop, then hold them there.
-
-        Args:
-            half_opening: How far to open each finger [m]; as far as they go, if not given.
-        """
+        """Open each finger gently until it stops, at most so far [m], then hold it there."""
         widest = self._arm.half_opening
         half_opening = widest if half_opening is None else min(half_opening, widest)
         self._drive_fingers(half_opening, OPENING_FORCE)
@@ -221,13 +172,8 @@ TOOL_LENGTH = 0.19
 """From the flange to the point between the fingertips [m]."""
 
 
-def joint_transform(joint: int, angle: Float[np.ndarray, "N"]) -> Float[np.ndarray, "N 4 4"]:
-    """Return the transform across one joint and its link.
-
-    Args:
-        joint: 0 to 5.
-        angle: Joint angles [rad].
-    """
+def _across(joint: int, angle: Float[np.ndarray, "N"]) -> Float[np.ndarray, "N 4 4"]:
+    """Return the transform across one joint, from 0 to 5, and its link; angles in [rad]."""
     c, s = np.cos(angle), np.sin(angle)
     ca, sa = np.cos(ALPHA[joint]), np.sin(ALPHA[joint])
     transform = np.zeros((len(angle), 4, 4))
@@ -236,22 +182,6 @@ def joint_transform(joint: int, angle: Float[np.ndarray, "N"]) -> Float[np.ndarr
     transform[:, 2] = [0.0, sa, ca, D[joint]]
     transform[:, 3, 3] = 1.0
     return transform
-
-
-def tool_in_world(joints: Float[np.ndarray, "N 6"]) -> Float[np.ndarray, "N 4 4"]:
-    """Return the pose of the tool point in the world.
-
-    Args:
-        joints: Joint angles [rad].
-    """
-    base = np.eye(4)
-    base[2, 3] = BASE_HEIGHT
-    pose = np.broadcast_to(base, (len(joints), 4, 4))
-    for joint in range(6):
-        pose = pose @ joint_transform(joint, joints[:, joint])  # (N, 4, 4)
-    tool = np.eye(4)
-    tool[2, 3] = TOOL_LENGTH
-    return np.asarray(pose @ tool)
 
 
 def joints_for(points: Float[np.ndarray, "N 3"]) -> Float[np.ndarray, "N 6"]:
@@ -284,10 +214,10 @@ def _solve(flange_in_base: Float[np.ndarray, "N 4 4"]) -> Float[np.ndarray, "N 6
     )
     p = flange_in_base[:, :3, 3]
     q5 = np.arccos((p[:, 0] * np.sin(q1) - p[:, 1] * np.cos(q1) - D[3]) / D[5])
-    flange_in_1 = _inverse(joint_transform(0, q1)) @ flange_in_base
+    flange_in_1 = _inverse(_across(0, q1)) @ flange_in_base
     one_in_flange = _inverse(flange_in_1)
     q6 = np.arctan2(-one_in_flange[:, 1, 2] / np.sin(q5), one_in_flange[:, 0, 2] / np.sin(q5))
-    four_in_1 = flange_in_1 @ _inverse(joint_transform(4, q5) @ joint_transform(5, q6))
+    four_in_1 = flange_in_1 @ _inverse(_across(4, q5) @ _across(5, q6))
     elbow = (four_in_1 @ np.array([0.0, -D[3], 0.0, 1.0]))[:, :3]
     reach = np.linalg.norm(elbow, axis=1)
     q3 = np.arccos((reach**2 - A[1] ** 2 - A[2] ** 2) / (2 * A[1] * A[2]))

@@ -6,7 +6,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import SHAPES, Client, TabletopConfig, boxes_of, pybullet
+from neurosym.sim.config import Client, TabletopConfig, boxes_of, draw_features, pybullet
 from neurosym.world import Scene
 
 TABLE_FRICTION = 0.6
@@ -20,21 +20,12 @@ class Simulation:
     """One scene in a physics client, built anew so that nothing an earlier one did can show.
 
     Same scene, same bytes, rests on two things: everything is reset and made again in the same order, and
-    PyBullet is told to sort its pairs of touching objects (`deterministicOverlappingPairs`).
-
-    Args:
-        client: The physics client; everything in it is replaced.
-        config: What the world is made of.
-        scene: The objects, at rest.
-
-    Attributes:
-        after_step: Called after each step, once it is set.
+    PyBullet is told to sort its pairs of touching objects (`deterministicOverlappingPairs`). `after_step` is
+    called after each step, once it is set.
     """
 
     def __init__(self, client: Client, config: TabletopConfig, scene: Scene):
-        self.client = client
-        self.config = config
-        self.features = scene.features
+        self.client, self.config, self.features = client, config, scene.features
         self.after_step: Callable[[], None] | None = None
         self.ticks = 0
         self._reset()
@@ -91,11 +82,11 @@ class Simulation:
                     return
 
     def _is_quiet(self) -> bool:
-        for body in self.bodies:
-            linear, angular = self.client.getBaseVelocity(body)
-            if max(map(abs, linear)) > REST_SPEED or max(map(abs, angular)) > 10 * REST_SPEED:
-                return False
-        return True
+        velocities = map(self.client.getBaseVelocity, self.bodies)
+        return all(
+            max(map(abs, linear)) <= REST_SPEED and max(map(abs, angular)) <= 10 * REST_SPEED
+            for linear, angular in velocities
+        )
 
     def observe(self) -> Scene:
         """Return where everything is now."""
@@ -110,10 +101,6 @@ class Simulation:
         """Return the height of an object's centre [m]."""
         position, _ = self.client.getBasePositionAndOrientation(self.bodies[index])
         return float(position[2])
-
-    def touch(self, body: int, other: int) -> bool:
-        """Say whether two bodies touch."""
-        return bool(self.client.getContactPoints(body, other))
 
     def touched_by(self, body: int) -> set[int]:
         """Return the bodies that a body touches."""
@@ -132,15 +119,8 @@ _ATTEMPTS = 400  # to find places for given objects
 def sample_scene(config: TabletopConfig, rng: np.random.Generator, objects: int) -> Scene:
     """Draw objects of random shape and size at rest on the table, not overlapping.
 
-    Objects that find no place are drawn again, so that crowded scenes have somewhat smaller ones.
-
-    Args:
-        config: The world.
-        rng: Source of randomness, owned by the caller.
-        objects: How many objects.
-
-    Raises:
-        InvalidValue: If there are none, or so many do not fit.
+    Objects that find no place are drawn again, so that crowded scenes have somewhat smaller ones. Raises
+    `InvalidValue` if there are none, or so many do not fit.
     """
     if objects < 1:
         raise InvalidValue(f"A scene needs at least one object, not {objects}.")
@@ -169,7 +149,7 @@ def sample_features(
     names = list(config.shapes)
     shares = np.array([config.shapes[name] for name in names])
     drawn = rng.choice(len(names), size=objects, p=shares / shares.sum())
-    return np.array([SHAPES[names[shape]](rng, config.size, config.height) for shape in drawn])
+    return np.array([draw_features(rng, names[shape], config.size, config.height) for shape in drawn])
 
 
 def _sample_places(

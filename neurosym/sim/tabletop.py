@@ -1,13 +1,13 @@
 """The tabletop world: an arm plays with objects in PyBullet."""
 
 from collections.abc import Container
-from dataclasses import dataclass, field, replace
-from typing import ClassVar
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.contract import ObjectLimits, Part, PoseSink
+from neurosym.contract import Part, PoseSink
 from neurosym.errors import InvalidValue
 from neurosym.sim.arm_check import check_arm, check_lift
 from neurosym.sim.camera import Camera, links_at_rest, object_parts, open_window, robot_parts
@@ -24,14 +24,12 @@ from neurosym.sim.interaction import Interaction
 from neurosym.sim.robot import UR10
 from neurosym.sim.simulation import Simulation, sample_scene
 from neurosym.world import (
-    ActionBox,
     Frame,
     FrameSink,
     Outcome,
     Reference,
     ReferenceKind,
     Scene,
-    Table,
     check_action,
     three_waypoints,
 )
@@ -40,55 +38,34 @@ WINDOW_EVERY = 4
 """Steps of the simulation between two looks at the clock, when it is shown live."""
 
 
-@dataclass(slots=True, eq=False)
 class Tabletop:
     """The PyBullet world of the paper: one arm, one table, objects of several shapes.
 
     The simulation is built anew for each interaction, so that nothing an earlier one did can show.
 
-    Attributes:
+    Args:
         config: Its options.
         name: Its name.
-        feature_names: What its objects' features are.
         arm: The arm that acts in it.
-        references: What actions may be relative to besides their target.
+
+    Attributes:
         wanted_pictures: Numbers of an interaction's pictures to draw, of one for each step of the
             simulation; if None, all are drawn that `config.frame_every` asks for (see `Sparing`).
         on_pose: Called with the poses of every motion, if set (see `Posed`).
     """
 
-    config: TabletopConfig = field(default_factory=TabletopConfig)
-    name: str = "tabletop"
-    feature_names: tuple[str, ...] = FEATURE_NAMES
-    arm: Arm = UR10
-    references: ClassVar[tuple[ReferenceKind, ...]] = ("place", "object")
-    wanted_pictures: Container[int] | None = field(default=None, init=False)
-    on_pose: PoseSink | None = field(default=None, init=False)
-    _client: Client | None = field(default=None, init=False)
+    feature_names = FEATURE_NAMES
+    references: tuple[ReferenceKind, ...] = ("place", "object")
 
-    def __post_init__(self) -> None:
-        check = check_reach if self.arm is UR10 else check_arm  # a test compares the UR10 with its file
-        check(self.config, self.arm)
-
-    @property
-    def action_box(self) -> ActionBox:
-        """Three waypoints, relative to the target's centre."""
-        return three_waypoints()
-
-    @property
-    def table(self) -> Table:
-        """The part of the table that objects must stay on."""
-        return self.config.table
-
-    @property
-    def object_limits(self) -> ObjectLimits:
-        """Which objects it makes."""
-        return self.config.object_limits
-
-    @property
-    def lift_height(self) -> float:
-        """How far the hand rises after the last waypoint [m]."""
-        return self.config.lift_height
+    def __init__(self, config: TabletopConfig | None = None, name: str = "tabletop", arm: Arm = UR10):
+        self.config, self.name, self.arm = config or TabletopConfig(), name, arm
+        self.action_box, self.lift_height = three_waypoints(), self.config.lift_height
+        self.table, self.object_limits = self.config.table, self.config.object_limits
+        self.wanted_pictures: Container[int] | None = None
+        self.on_pose: PoseSink | None = None
+        self._client: Client | None = None
+        check = check_reach if arm == UR10 else check_arm  # a test compares the UR10 with its file
+        check(self.config, arm)
 
     def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
         """Draw objects of random shape and size at rest on the table (see `World.sample_scene`)."""
@@ -161,10 +138,6 @@ class Tabletop:
             self._client = Client()
         return self._client
 
-    def __getstate__(self) -> tuple[TabletopConfig, str, Arm]:
+    def __reduce__(self) -> tuple[Any, ...]:
         """Leave the physics client behind: another process connects to its own."""
-        return self.config, self.name, self.arm
-
-    def __setstate__(self, state: tuple[TabletopConfig, str, Arm]) -> None:
-        self.config, self.name, self.arm = state
-        self.feature_names, self.wanted_pictures, self.on_pose, self._client = FEATURE_NAMES, None, None, None
+        return Tabletop, (self.config, self.name, self.arm)

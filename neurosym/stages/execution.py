@@ -1,11 +1,14 @@
 """The stages that run plans in the world, and that run their records again."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
 import msgspec
 
+from neurosym.checks import check_count, check_seed
 from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.performance import Watcher
@@ -21,13 +24,11 @@ from neurosym.problems import Problem
 from neurosym.stages.console import say, shown_doing
 from neurosym.stages.folder import DomainFolder, Stage
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
-from neurosym.stages.plan_records import planned_tolerance, record_beside
+from neurosym.stages.plan_records import record_beside
 from neurosym.stages.planning import load_problem, remarks_on_objects
 from neurosym.tasks.transition import hand_problem
 from neurosym.world import World
 from neurosym.worlds.world_file import read_world
-
-_REPLANNER = "fast-downward"
 
 
 class Audience(Watcher, Protocol):
@@ -44,14 +45,7 @@ class Audience(Watcher, Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Showing:
-    """How a run is shown while it happens, or afterwards.
-
-    Attributes:
-        gif: Where an animated picture of it is written, if anywhere.
-        strip: Where a picture of each step is written, if anywhere.
-        gui: Whether it is shown live in a window.
-        audience: Watches it, if anybody does.
-    """
+    """How a run is shown: as animated picture, as picture of each step, in a window, or to an audience."""
 
     gif: Path | None = None
     strip: Path | None = None
@@ -64,7 +58,7 @@ def execute_stage(
     name: str,
     plan_file: Path,
     *,
-    replanner: str = _REPLANNER,
+    replanner: str = "fast-downward",
     replans: int | None = None,
     time_limit: float | None = None,
     nudge_seed: int | None = None,
@@ -90,52 +84,50 @@ def execute_stage(
         InvalidValue: If a number is impossible.
     """
     asked_again = planner_named(replanner, folder.path)
-    for option, value in (("replans", replans or 0), ("disturb", nudge_seed or 0)):
-        if value < 0:
-            raise InvalidValue(f"{option} = {value} must be at least 0.")
+    check_count("replans", replans or 0, least=0)
+    check_seed(nudge_seed or 0, "disturb")
     record_file = run_file(name, plan_file)
     if replans is None and not record_beside(plan_file):
         replans = 0
 
     def work() -> None:
-        grounding = Grounding.load(folder.require(GROUNDING))
-        world = read_world(folder.require(WORLD))()
+        grounding, world = Grounding.load(folder.require(GROUNDING)), read_world(folder.require(WORLD))()
         own = load_problem(folder, name, world)
         problem = own.within(tolerance)
         if not folder.is_as_made(scene_file(name)):
             for remark in remarks_on_objects(folder, own, grounding):
                 folder.notify(remark)
-        steps = read_plan(plan_file, grounding, own.within(planned_tolerance(plan_file)))
+        steps = read_plan(plan_file, grounding, own)
         if impossible := hand_problem(steps, grounding):
             raise InvalidFile(plan_file, impossible)
-        shown = _Shown(showing, world, problem)
         with shown_doing() as tell:
-            run = execute(
-                world,
-                problem,
-                grounding,
-                steps,
-                replanner=None if replans == 0 else replanning(asked_again, time_limit, tell),
-                replans=replans,
-                nudge_seed=nudge_seed,
-                tell=tell,
-                **shown.watching,
-            )
+
+            def perform(**watching: Any) -> Run:
+                return execute(
+                    world,
+                    problem,
+                    grounding,
+                    steps,
+                    replanner=None if replans == 0 else replanning(asked_again, time_limit, tell),
+                    replans=replans,
+                    nudge_seed=nudge_seed,
+                    tell=tell,
+                    **watching,
+                )
+
+            run = _shown(showing, world, problem, perform)
         other = None if problem.tolerance == own.tolerance else problem.tolerance
         by = asked_again.name if run.own_steps < len(run.steps) else msgspec.UNSET
-        run = msgspec.structs.replace(run, tolerance=other, machine=this_machine(), replanner=by)
         make_folder(folder / RUNS)
-        write_json(folder / record_file, run)
-        shown.end(run)
+        told = msgspec.structs.replace(run, tolerance=other, machine=this_machine(), replanner=by)
+        write_json(folder / record_file, told)
 
-    inputs = (scene_file(name), GROUNDING, WORLD)
+    # what is not asked for is left out, so that records of earlier versions stay up to date
     options: dict[str, Any] = {"plan": digest(plan_file), "replans": replans}
-    if replans != 0:
-        options |= {"replanner": replanner, "time_limit": time_limit}
-    if nudge_seed is not None:
-        options["disturb"] = nudge_seed
-    if tolerance is not None:
-        options["tolerance"] = tolerance
+    options |= {"replanner": replanner, "time_limit": time_limit} if replans != 0 else {}
+    options |= {"disturb": nudge_seed} if nudge_seed is not None else {}
+    options |= {"tolerance": tolerance} if tolerance is not None else {}
+    inputs = (scene_file(name), GROUNDING, WORLD)
     return Stage(f"execute {run_name(name, plan_file)}", inputs, (record_file,), work, options)
 
 
@@ -177,8 +169,7 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
         InvalidFile: If the file is no record of a run, or names what the domain does not have.
     """
     run = read_json(record, Run)
-    grounding = Grounding.load(folder.require(GROUNDING))
-    world = read_world(folder.require(WORLD))()
+    grounding, world = Grounding.load(folder.require(GROUNDING)), read_world(folder.require(WORLD))()
     problem = load_problem(folder, run.problem, world)
     try:
         problem = problem.within(run.tolerance)
@@ -189,9 +180,7 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
             problem.object_named(name)
     except (InvalidValue, UnknownChoice) as error:
         raise InvalidFile(record, str(error).rstrip(".")) from error
-    shown = _Shown(showing, world, problem)
-    again = rerun(world, problem, grounding, run, **shown.watching)
-    shown.end(again)
+    again = _shown(showing, world, problem, partial(rerun, world, problem, grounding, run))
     return run, compare_runs(run, again)
 
 
@@ -200,35 +189,25 @@ def load_run(folder: DomainFolder, name: str, plan_file: Path) -> Run:
     return read_json(folder / run_file(name, plan_file), Run)
 
 
-class _Shown:
-    """What is seen of a run: pictures are taken if files are asked for, or a window is opened."""
+def _shown(showing: Showing, world: World, problem: Problem, perform: Callable[..., Run]) -> Run:
+    """Perform a run while it is shown: pictures are taken if files are asked for, or a window is opened."""
+    from neurosym.pictures.film import Film, hold_window, ignore, open_window
 
-    def __init__(self, showing: Showing, world: World, problem: Problem):
-        from neurosym.pictures.film import Film, ignore, open_window
+    film = Film(world, problem) if showing.gif or showing.strip else None
+    if showing.gui:
+        open_window(world)
+    watchers = [one for one in (film, showing.audience) if one]
 
-        self._showing = showing
-        self._film = Film(world, problem) if showing.gif or showing.strip else None
-        if showing.gui:
-            open_window(world)
-        on_frame = self._film.add_frame if self._film else ignore if showing.gui else None
-        self.watching: dict[str, Any] = {
-            "on_frame": on_frame,
-            "on_step": self._end_step,
-            "watcher": showing.audience,
-        }
-        if showing.audience:
-            showing.audience.begin(world, problem)
+    def end_step(record: StepRecord) -> None:
+        for one in watchers:
+            one.end_step(record)
 
-    def _end_step(self, record: StepRecord) -> None:
-        for looking_on in (self._film, self._showing.audience):
-            if looking_on:
-                looking_on.end_step(record)
-
-    def end(self, run: Run) -> None:
-        """Write the pictures, or hold the window for a while."""
-        from neurosym.pictures.film import hold_window
-
-        if self._film and not self._film.save(run, self._showing.gif, self._showing.strip):
-            say("no pictures: the plan has no step")
-        if self._showing.gui:
-            hold_window()
+    if showing.audience:
+        showing.audience.begin(world, problem)
+    on_frame = film.add_frame if film else ignore if showing.gui else None
+    run = perform(on_frame=on_frame, on_step=end_step, watcher=showing.audience)
+    if film and not film.save(run, showing.gif, showing.strip):
+        say("no pictures: the plan has no step")
+    if showing.gui:
+        hold_window()
+    return run

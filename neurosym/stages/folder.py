@@ -40,24 +40,7 @@ from neurosym.files import (
     write_json,
     write_new,
 )
-from neurosym.stages.layout import (
-    COMMANDS,
-    COMPARISONS,
-    GROUNDING,
-    INTERACTIONS,
-    MANIFEST,
-    MODEL,
-    PICTURES,
-    PLACES,
-    PLANS,
-    PROBLEMS,
-    REPORT_PICTURES,
-    RUNS,
-    SCENE,
-    WORLD,
-    problem_of,
-    scene_file,
-)
+from neurosym.stages import layout
 
 if TYPE_CHECKING:
     from neurosym.problems import Problem
@@ -172,19 +155,20 @@ class DomainFolder:
         path = self.path / name
         refuse_other_kinds(path)
         if not path.is_file():
-            command, besides = f"neurosym {COMMANDS[path.name]} {quoted(self.path)}", ""
-            if name == INTERACTIONS:
+            command, besides = f"neurosym {layout.COMMANDS[path.name]} {quoted(self.path)}", ""
+            if name == layout.INTERACTIONS:
                 besides = ", or a script of yours (docs/data.md)"
-            has_data = (self.path / INTERACTIONS).exists() and "explore" not in self.manifest().stages
-            if name == WORLD and has_data:
+            has_data = (self.path / layout.INTERACTIONS).exists() and "explore" not in self.manifest().stages
+            if name == layout.WORLD and has_data:
                 command, besides = f"{command} --world module:factory", " for the world of your data"
             raise StageMissing(path, command, besides)
         return path
 
     def problem_names(self) -> tuple[str, ...]:
         """List the problems of this folder: scenes, and PDDL files whose scene is missing."""
-        found = [*(self.path / PROBLEMS).glob(f"*{SCENE}"), *(self.path / PROBLEMS).glob("*.pddl")]
-        return tuple(sorted({problem_of(path.name) for path in found}))
+        place = self.path / layout.PROBLEMS
+        found = (*place.glob(f"*{layout.SCENE}"), *place.glob("*.pddl"))
+        return tuple(sorted({layout.problem_of(path.name) for path in found}))
 
     def problem(self, name: str) -> str:
         """Return a problem's name from what a user typed: the name, or the path of its file.
@@ -193,43 +177,35 @@ class DomainFolder:
             InvalidValue: If this is no domain folder.
             UnknownChoice: If there is no such problem here.
         """
-        stem, known = problem_of(Path(name).name), self.problem_names()
+        stem, known = layout.problem_of(Path(name).name), self.problem_names()
         is_file = os.path.isfile(name)  # noqa: PTH113 (no error for names that are too long)
         is_foreign = is_file and not Path(name).resolve().is_relative_to(self.path.resolve())
-        if stem in known and not (is_foreign and name.endswith(SCENE)):
+        if stem in known and not (is_foreign and name.endswith(layout.SCENE)):
             return stem
-        if not any((self.path / file).exists() for file in (WORLD, GROUNDING)):
-            raise InvalidValue(
-                f"{self.path} is no domain folder, it has neither {WORLD} nor {GROUNDING}; name one that has."
-            )
+        either = layout.WORLD, layout.GROUNDING
+        if not any((self.path / file).exists() for file in either):
+            has = f"it has neither {' nor '.join(either)}"
+            raise InvalidValue(f"{self.path} is no domain folder, {has}; name one that has.")
         if name.endswith(".json") and is_foreign:
             command = f"neurosym new-problem {quoted(self.path)} --scene {quoted(name)}"
             there = f" --name {own}" if (own := stem.removesuffix(".json")) in known else ""
             raise InvalidValue(f"{name} lies outside of {self.path}; take it over with: {command}{there}")
-        raise UnknownChoice("problem", name, known, str(self.path / PROBLEMS))
+        raise UnknownChoice("problem", name, known, str(self.path / layout.PROBLEMS))
 
     def free_problem_name(self) -> str:
         """Return the first of `task-01`, `task-02`, ... that no problem of this folder has."""
-        taken = {path.name.split(".")[0] for path in (self.path / PROBLEMS).glob("task-*")}
+        taken = {path.name.split(".")[0] for path in (self.path / layout.PROBLEMS).glob("task-*")}
         return next(name for number in count(1) if (name := f"task-{number:02d}") not in taken)
-
-    def made_for(self, problem: str) -> tuple[str, ...]:
-        """List the plans of a problem, what is known of them, and their runs, relative to the folder."""
-        found = [path for place in (PLANS, RUNS) for path in (self.path / place).glob(f"{problem}.*")]
-        return tuple(sorted(path.relative_to(self.path).as_posix() for path in found))
 
     def manifest(self) -> Manifest:
         """Read how the files came about; nothing is known of files that a user put there."""
-        path = self.path / MANIFEST
+        path = self.path / layout.MANIFEST
         return read_json(path, Manifest) if path.exists() else Manifest()
 
     @contextmanager
     def naming_problems(self) -> Iterator[None]:
         """Keep others from making a problem here meanwhile, who would find the same name free."""
-        path = self.require(GROUNDING)
-        if others := holders(path):
-            self.notify(f"waiting for process {others[0]}, which makes a problem here")
-        with locked(path):
+        with locked(self.require(layout.GROUNDING)):
             yield
 
     @contextmanager
@@ -267,61 +243,48 @@ class DomainFolder:
             CannotWrite: If files cannot be written; those that were there are as they were.
         """
         with self.claimed(stage.claim):
-            return self._perform(stage, again=again)
-
-    def _perform(self, stage: Stage, *, again: bool) -> bool:
-        self.manifest()  # refuses a damaged one before anything is written
-        for name in (*stage.outputs, MANIFEST):
-            refuse_other_kinds(self.path / name)
-        if not again and self.is_current(stage):
-            return False
-        self.prepare(*stage.outputs, MANIFEST)
-        if remarks := self.outdated(stage.inputs):
-            _refuse_damaged(self.path, stage.inputs)
-        for remark in remarks:
-            self.notify(remark)
-        inputs = self._digests(stage.inputs)
-        start = perf_counter()
-        with Drafts() as drafts:
-            stage.work()
-            seconds = round(perf_counter() - start, 1)
-            with self._recording():
-                outputs = self._digests(stage.outputs)
-                renewed = self._digests(tuple(f for f in stage.renews if drafts.holds(self.path / f)))
-                record = StageRecord(stage.options, inputs, outputs, seconds, versions())
-                write_json(self.path / MANIFEST, Manifest({**self._others(renewed), stage.name: record}))
-                drafts.put_in_place()
+            self.manifest()  # refuses a damaged one before anything is written
+            for name in (*stage.outputs, layout.MANIFEST):
+                refuse_other_kinds(self.path / name)
+            if not again and self.is_current(stage):
+                return False
+            self._prepare(*stage.outputs, layout.MANIFEST)
+            for remark in self.outdated(stage.inputs):
+                self.notify(remark)
+            inputs, start = self._digests(stage.inputs), perf_counter()
+            with Drafts() as drafts:
+                stage.work()
+                self._record(stage, inputs, round(perf_counter() - start, 1), drafts)
         return True
 
-    def _others(self, renewed: dict[str, str]) -> dict[str, StageRecord]:
-        """Return the records of all stages, with the digests of files that were written anew for them."""
-        return {
-            name: msgspec.structs.replace(
-                record, outputs={file: renewed.get(file, made) for file, made in record.outputs.items()}
-            )
-            for name, record in self.manifest().stages.items()
-        }
-
-    def prepare(self, *names: str) -> None:
-        """Raise unless files can be written, and remove what killed processes left of theirs.
-
-        Raises:
-            InvalidFile: If a folder stands in the place of a file, or a file in that of a folder.
-            CannotWrite: If the system does not let them be written.
-        """
-        for place in ("", PLACES, PROBLEMS, PLANS, RUNS, PICTURES, REPORT_PICTURES, f"{COMPARISONS}/*"):
+    def _prepare(self, *names: str) -> None:
+        """Raise unless files can be written, and remove what killed processes left of theirs."""
+        for place in ("", *layout.FOLDERS):
             for folder in self.path.glob(place) if place else (self.path,):
                 remove_leftovers(folder)
         for name in {str(Path(name).parent): name for name in names}.values():
             check_writable(self.path / name)
 
-    @contextmanager
-    def _recording(self) -> Iterator[None]:
-        """Keep others from recording a stage meanwhile, whose record would be lost."""
-        path = self.path / MANIFEST
+    def _record(self, stage: Stage, inputs: dict[str, str], seconds: float, drafts: Drafts) -> None:
+        """Put what a stage wrote in place, with a manifest that tells of it.
+
+        Records of other stages get the digests of what was written anew for them. Nobody else records a stage
+        meanwhile, whose record would be lost.
+        """
+        path = self.path / layout.MANIFEST
         write_new(path, msgspec.json.encode(Manifest()))  # so that there is what to lock
         with locked(path):
-            yield
+            renewed = self._digests(tuple(name for name in stage.renews if drafts.holds(self.path / name)))
+            stages = {
+                name: msgspec.structs.replace(
+                    one, outputs={file: renewed.get(file, made) for file, made in one.outputs.items()}
+                )
+                for name, one in self.manifest().stages.items()
+            }
+            outputs = self._digests(stage.outputs)
+            stages[stage.name] = StageRecord(stage.options, inputs, outputs, seconds, versions())
+            write_json(path, Manifest(stages))
+            drafts.put_in_place()
 
     def outdated(self, names: tuple[str, ...]) -> list[str]:
         """Say which of these files were made from others than those that are there now, if any are."""
@@ -364,26 +327,11 @@ def load_scene(path: Path) -> "Problem":
     """
     from neurosym.problems import Problem
 
-    problem, name = Problem.load(path), path.name.removesuffix(SCENE)
+    problem, name = Problem.load(path), path.name.removesuffix(layout.SCENE)
     try:
         return problem if problem.name == name else msgspec.structs.replace(problem, name=name)
     except InvalidValue as error:
         raise InvalidFile(path, str(error).rstrip(".")) from error
-
-
-def _refuse_damaged(folder: Path, names: tuple[str, ...]) -> None:
-    """Raise `InvalidFile` if one of some files that decide most can no longer be read."""
-    from neurosym.grounding import Grounding
-    from neurosym.worlds.world_file import read_world
-
-    def read_model(path: Path) -> None:
-        from neurosym.learning.network import EffectModel
-
-        EffectModel.load(path)
-
-    for name, read in ((WORLD, read_world), (GROUNDING, Grounding.load), (MODEL, read_model)):
-        if name in names and (folder / name).is_file():
-            read(folder / name)
 
 
 def _command(folder: Path, stage: str, made: str) -> str:
@@ -391,8 +339,8 @@ def _command(folder: Path, stage: str, made: str) -> str:
     command, *of = stage.split()
     if (verb := command.partition("-")[0]) in ("explore", "train", "distill"):
         command = verb  # whatever it is aimed at
-    typed = f"neurosym {COMMANDS.get(made, command)} {quoted(folder)}"
+    typed = f"neurosym {layout.COMMANDS.get(made, command)} {quoted(folder)}"
     if command == "new-problem":
-        scene = folder / scene_file(of[0])  # taken over as it is, so that the task stays the same
+        scene = folder / layout.scene_file(of[0])  # taken over as it is, so that the task stays the same
         return f"{typed} --name {of[0]}" + (f" --scene {quoted(scene)}" if scene.exists() else "")
     return f"{typed} {of[0].split('.')[0]}" if command in ("plan", "execute") else typed

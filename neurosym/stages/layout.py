@@ -8,24 +8,19 @@ interrupted exploration goes on from.
 
 from pathlib import Path
 
-WORLD = "world.toml"
-"""`init`: which world it is of, and the world's options."""
+WORLD = "world.toml"  # `init`: which world it is of, and the world's options
 INTERACTIONS = "interactions.npz"
 """`explore`, or a script of a user's own (docs/data.md): a row for each interaction."""
-MODEL = "effect_model.safetensors"
-"""`train`: the network whose bits are the symbols."""
-DIRECT_MODEL = "direct_model.safetensors"
-"""`train`: the network without a bottleneck that taught it."""
-TRAINING = "training.json"
-"""`train`: how well the model fits, on interactions held out from training."""
+MODEL = "effect_model.safetensors"  # `train`: the network whose bits are the symbols
+DIRECT_MODEL = "direct_model.safetensors"  # `train`: the network without a bottleneck that taught it
+TRAINING = "training.json"  # `train`: how well the model fits, on interactions held out from training
 PRIMITIVES = "primitives.json"
 """`distill`: the parameters of each symbol, and what they do to each category: the table of operators."""
 PLACES = "places"
 """What was learned of actions that are aimed at places, in files that are called as those above."""
 PLACE_INTERACTIONS = f"{PLACES}/{INTERACTIONS}"
 """`explore --places`: a row for each interaction that was aimed at a place."""
-PLACE_MODEL = f"{PLACES}/{MODEL}"
-"""`train`: the network that was fitted to these."""
+PLACE_MODEL = f"{PLACES}/{MODEL}"  # `train`: the network that was fitted to these
 PLACE_OPERATORS = f"{PLACES}/operators.json"
 """`distill`: what carries objects of each category to places, and how surely."""
 RELATIONS = "relations"
@@ -35,44 +30,28 @@ RELATION_INTERACTIONS = f"{RELATIONS}/{INTERACTIONS}"
 CHANCES, STATES = "chances.safetensors", "states.json"
 RELATION_MODEL, RELATION_CHANCES = f"{RELATIONS}/{MODEL}", f"{RELATIONS}/{CHANCES}"
 """`train`: the networks that were fitted to these; the object symbols are kinds of pairs."""
-RELATION_STATES = f"{RELATIONS}/{STATES}"
-"""`train`: the states that pairs of objects can be in."""
+RELATION_STATES = f"{RELATIONS}/{STATES}"  # `train`: the states that pairs of objects can be in
 RELATION_OPERATORS = f"{RELATIONS}/operators.json"
 """`distill`: what brings which pairs of objects into which state, and how surely."""
-PRACTICE = "practice.json"
-"""`practise`: what was tried, what broke plans, what was practised, and the table of operators after that."""
-TABLE_FILES = (PRIMITIVES, PRACTICE)
-"""What decides which operators there are."""
-DOMAIN = "domain.pddl"
-"""`compile-domain`: the page, all that was learned in one domain."""
-NUMERIC_DOMAIN = "domain-numeric.pddl"
-"""`compile-domain`: the same in numbers (PDDL 2.1)."""
+DOMAIN = "domain.pddl"  # `compile-domain`: the page, all that was learned in one domain
+NUMERIC_DOMAIN = "domain-numeric.pddl"  # `compile-domain`: the same in numbers (PDDL 2.1)
 PLAIN_DOMAIN = "domain-plain.pddl"
 """`compile-domain --plain`: the page without costs, for planners that take none; no command reads it."""
 DURATIVE_DOMAIN = "domain-durative.pddl"
 """`compile-domain --durative`: what can be carried, by actions that take time; no command reads it."""
-DOMAIN_FILES = {"strips": DOMAIN, "numeric": NUMERIC_DOMAIN}
-"""The file of a domain by its encoding."""
+DOMAIN_FILES = {"strips": DOMAIN, "numeric": NUMERIC_DOMAIN}  # the file of a domain by its encoding
 GROUNDING = "grounding.json"
 """`compile-domain`: what planning and execution need to know; no network is needed from here on."""
 PROBLEMS = "problems"
 """`new-problem`: NAME.scene.json (the problem), NAME.pddl and NAME.numeric.pddl (for other planners)."""
-PLANS = "plans"
-"""`plan`: NAME.PLANNER.plan, and how planning went, NAME.PLANNER.json."""
-RUNS = "runs"
-"""`execute`: what became of each plan."""
-PICTURES = "pictures"
-"""`show`: pictures; those of the page are in `report`."""
-REPORT_PICTURES = "pictures/report"
-"""`report`: the pictures of the page."""
-COMPARISONS = "comparison"
-"""`compare`: a folder for each kind of task, with a file for each task."""
-KINDS_FOUND = "kinds.json"
-"""`evaluate`: the kinds of primitive that there are."""
-PAGE = "report.html"
-"""`report`: the page."""
-MANIFEST = "manifest.json"
-"""Every command: how its files came about."""
+PLANS = "plans"  # `plan`: NAME.PLANNER.plan, and how planning went, NAME.PLANNER.json
+RUNS = "runs"  # `execute`: what became of each plan
+PICTURES = "pictures"  # `show`: pictures; those of the page are in `report`
+REPORT_PICTURES = "pictures/report"  # `report`: the pictures of the page
+COMPARISONS = "comparison"  # `compare`: a folder for each kind of task, with a file for each task
+FOLDERS = (PLACES, PROBLEMS, PLANS, RUNS, PICTURES, REPORT_PICTURES, f"{COMPARISONS}/*")  # as patterns
+PAGE = "report.html"  # `report`: the page
+MANIFEST = "manifest.json"  # every command: how its files came about
 
 COMMANDS = {
     WORLD: "init",
@@ -89,8 +68,7 @@ COMMANDS = {
 }
 """Which command writes each file that a later stage reads, by its name without the folder."""
 
-SCENE = ".scene.json"
-"""What the file of a problem as we read it ends with."""
+SCENE = ".scene.json"  # what the file of a problem as we read it ends with
 PDDL, NUMERIC_PDDL, PLAIN, DURATIVE = ".pddl", ".numeric.pddl", ".plain.pddl", ".durative.pddl"
 """What its files for other planners end with: the page, in numbers, without costs, with durative actions."""
 FORMER = (".places.pddl", ".relational.pddl", ".relational-lifted.pddl")
@@ -104,8 +82,7 @@ PLAN, STEPS = ".plan", ".steps"
 
 Such steps only come near the goal, miss it when they are replayed, or need what the domain does not have.
 """
-RECORD = ".run.json"
-"""What the file of a record of a run ends with."""
+RECORD = ".run.json"  # what the file of a record of a run ends with
 
 
 def problem_file(problem: str, ending: str) -> str:

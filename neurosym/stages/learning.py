@@ -27,25 +27,9 @@ from neurosym.learning.training_config import PAIR_BITS, PLACE_BITS, STATE_BITS,
 from neurosym.operators import counted_axes
 from neurosym.pair_operators import PairStates, PlaceOperators, describe_pair
 from neurosym.primitives.audition import CHOICES
-from neurosym.stages.console import progress_bar, say
+from neurosym.stages import layout
+from neurosym.stages.console import progress_bar
 from neurosym.stages.folder import Claim, DomainFolder, Stage
-from neurosym.stages.layout import (
-    CHANCES,
-    DIRECT_MODEL,
-    INTERACTIONS,
-    MODEL,
-    PLACE_OPERATORS,
-    PLACES,
-    PRIMITIVES,
-    RELATION_INTERACTIONS,
-    RELATION_MODEL,
-    RELATION_OPERATORS,
-    RELATION_STATES,
-    RELATIONS,
-    STATES,
-    TRAINING,
-    WORLD,
-)
 from neurosym.world import EFFECT_AXES, ActionBox, World, WorldFactory, references_of
 from neurosym.worlds.aims import (
     PAIR_AXES,
@@ -76,6 +60,7 @@ class Aim:
         method: How operators are found, with the choice that the user made.
         table: File of the operators.
         folder: Where the other files are in the domain folder, which is also what users call it.
+        at: The same in words; empty for the object alone.
         reference: What a world must take as a reference; empty for none.
         axes: How many axes effects have; None for as many as there are.
         bits: Of the symbols of objects, or pairs, and of actions; None for those of the regime.
@@ -91,13 +76,14 @@ class Aim:
     method: Callable[[DomainFolder, str], "Method"]
     table: str
     folder: str = ""
+    at: str = ""
     reference: str = ""
     axes: int | None = None
     bits: tuple[int, int] | None = None
     builds_on: tuple[str, ...] = ()
-    network: str = DIRECT_MODEL
+    network: str = layout.DIRECT_MODEL
     besides: tuple[str, ...] = ()
-    categories: str = MODEL
+    categories: str = layout.MODEL
     adapt: Callable[[DomainFolder, WorldFactory], WorldFactory] = lambda _, factory: factory
     origin: Mapping[str, Any] = field(default_factory=dict)
     learn: Callable[[DomainFolder, Interactions, Regime, int], dict[str, Any]] = lambda *_: {}
@@ -120,8 +106,7 @@ class Aim:
 
 
 def _search() -> Any:
-    """Return what finds operators; importing it takes seconds."""
-    from neurosym.primitives import operator_search
+    from neurosym.primitives import operator_search  # importing it takes seconds
 
     return operator_search
 
@@ -130,8 +115,8 @@ def _with_known_motions(folder: DomainFolder, factory: WorldFactory) -> WorldFac
     """Have pairs explored from what carries objects to places."""
     from neurosym.learning.network import EffectModel
 
-    categorise = EffectModel.load(folder.require(MODEL)).object_symbols
-    places = PlaceOperators.load(folder.require(PLACE_OPERATORS))
+    categorise = EffectModel.load(folder.require(layout.MODEL)).object_symbols
+    places = PlaceOperators.load(folder.require(layout.PLACE_OPERATORS))
     return RelatedFactory(factory, KnownMotions(places, categorise, factory().action_box))
 
 
@@ -141,11 +126,11 @@ def _learn_states(
     """Find the states of pairs, and learn to foresee them."""
     from neurosym.learning.state_codes import ends_in, fit_chances, learn_states
 
-    path = folder / RELATION_INTERACTIONS
+    path = folder / layout.RELATION_INTERACTIONS
     if not np.any(interactions.effects[:, -1]):
         raise InvalidFile(path, "nothing was carried to another object; explore more")
     rng = np.random.default_rng([seed, _STREAM])
-    world = RelatedFactory(read_world(folder.require(WORLD)))()
+    world = RelatedFactory(read_world(folder.require(layout.WORLD)))()
     scenes = (world.sample_scene(rng, 1).whole for _ in range(_FRESH))  # type: ignore[attr-defined]
     fresh = np.array([describe_pair(scene, TARGET, REFERENCE, ()) for scene in scenes])
     states = learn_states(fresh, *ends_in(interactions), STATE_BITS, rng)
@@ -159,14 +144,15 @@ def _learn_states(
             seed=seed,
             progress=lambda stage, share: advance(round(100 * share), 100, stage),
         )
-    return {STATES: states, CHANCES: chances}
+    return {layout.STATES: states, layout.CHANCES: chances}
 
 
-OBJECTS = Aim(lambda _, choice: _search().displacing(choice), PRIMITIVES)
+OBJECTS = Aim(lambda _, choice: _search().displacing(choice), layout.PRIMITIVES)
 TO_PLACES = Aim(
     lambda *_: _search().CARRYING,
-    PLACE_OPERATORS,
-    PLACES,
+    layout.PLACE_OPERATORS,
+    layout.PLACES,
+    "places",
     reference="place",
     axes=PLACE_AXES,
     bits=PLACE_BITS,
@@ -174,20 +160,25 @@ TO_PLACES = Aim(
     origin={"reference": "place"},
 )
 TO_OBJECTS = Aim(
-    lambda folder, _: _search().relating(PairStates.load(folder.require(RELATION_STATES))),
-    RELATION_OPERATORS,
-    RELATIONS,
+    lambda folder, _: _search().relating(PairStates.load(folder.require(layout.RELATION_STATES))),
+    layout.RELATION_OPERATORS,
+    layout.RELATIONS,
+    "other objects",
     reference="object",
     axes=PAIR_AXES,
     bits=PAIR_BITS,
-    builds_on=(MODEL, PLACE_OPERATORS),
-    network=CHANCES,
-    besides=(STATES,),
-    categories=RELATION_MODEL,
+    builds_on=(layout.MODEL, layout.PLACE_OPERATORS),
+    network=layout.CHANCES,
+    besides=(layout.STATES,),
+    categories=layout.RELATION_MODEL,
     adapt=_with_known_motions,
     origin={"reference": "object", "proposed": True},
     learn=_learn_states,
 )
+
+
+AIMS = (OBJECTS, TO_PLACES, TO_OBJECTS)
+"""In the order in which one builds on another."""
 
 
 def explore_stage(
@@ -206,7 +197,7 @@ def explore_stage(
 
     Bits matter where a network with symbols is explored by: for the strategy `entropy`.
     """
-    chosen, name, path = regime_named(regime), own_name(strategy), folder / aim.file(INTERACTIONS)
+    chosen, name, path = regime_named(regime), own_name(strategy), folder / aim.file(layout.INTERACTIONS)
     network = chosen.exploration
     if strategy_named(strategy).curious_about == "entropy":
         network = network.with_bits(object_bits, action_bits)
@@ -216,11 +207,10 @@ def explore_stage(
         from neurosym.exploration.loop import ExplorationConfig, explore
 
         check_count(aim.folder or "steps", steps)
-        check_steps(folder, steps, aim)
-        factory = read_world(folder.require(WORLD))
+        factory = read_world(folder.require(layout.WORLD))
+        check_steps(folder, steps, aim, strategy=name, seed=seed)
         if aim.reference:
             aim.check_takes(factory())
-        _check_begun(folder, aim, name, seed)
         make_folder(path.parent)
         learning = LearningConfig(
             learning_rate=chosen.exploration_rate, loss_coefficient=chosen.training.loss_coefficient
@@ -243,31 +233,13 @@ def explore_stage(
 
     options: dict[str, Any] = {"strategy": name, "steps": steps, "seed": seed, "regime": regime}
     options |= network.unusual_bits()
-    inputs, outputs = (WORLD, *aim.builds_on), (aim.file(INTERACTIONS),)
+    inputs, outputs = (layout.WORLD, *aim.builds_on), (aim.file(layout.INTERACTIONS),)
     return Stage(aim.stage("explore"), inputs, outputs, work, options, Claim.ALONE)
 
 
-def _check_begun(folder: DomainFolder, aim: Aim, strategy: str, seed: int) -> None:
-    """Refuse to replace finished interactions by others; the checkpoint that says so too may be gone."""
-    from neurosym.exploration.loop import STATE_FILE
-
-    path = folder / aim.file(INTERACTIONS)
-    if not path.exists():
-        return
-    origin = Interactions.load(path).origin
-    for name, wanted in (("strategy", strategy), ("seed", seed)):
-        if (found := origin.get(name)) != wanted:
-            raise InvalidValue(
-                f"{path} was explored with {name} = {found!r}, not {wanted!r}; use that again, or remove it "
-                "to begin anew."
-            )
-    if not path.with_name(STATE_FILE).exists():
-        say(f"note: {STATE_FILE} is missing, so that exploration begins anew, and comes to the same again")
-
-
-def check_steps(folder: DomainFolder, steps: int, aim: Aim = OBJECTS) -> None:
-    """Refuse to replace interactions by fewer, or a user's own by any."""
-    path = folder / aim.file(INTERACTIONS)
+def check_steps(folder: DomainFolder, steps: int, aim: Aim = OBJECTS, **asked: object) -> None:
+    """Refuse to replace interactions by fewer, by others than are asked for, or a user's own by any."""
+    path = folder / aim.file(layout.INTERACTIONS)
     if not path.exists():
         return
     found = Interactions.load(path)
@@ -279,6 +251,10 @@ def check_steps(folder: DomainFolder, steps: int, aim: Aim = OBJECTS) -> None:
     if len(found) > steps:
         said = f"{path} holds {len(found)} interactions already, more than {steps}"
         raise InvalidValue(f"{said}; remove it, or ask for more.")
+    for name, wanted in asked.items():
+        if (kept := found.origin.get(name)) != wanted:
+            said = f"{path} was explored with {name} = {kept!r}, not {wanted!r}"
+            raise InvalidValue(f"{said}; use that again, or remove it to begin anew.")
 
 
 def distill_stage(
@@ -299,7 +275,8 @@ def distill_stage(
     check_workers(workers)
     if choice not in CHOICES:
         raise UnknownChoice("choice", choice, CHOICES)
-    of_model, of_network, data, *besides = map(aim.file, (MODEL, aim.network, INTERACTIONS, *aim.besides))
+    names = layout.MODEL, aim.network, layout.INTERACTIONS, *aim.besides
+    of_model, of_network, data, *besides = map(aim.file, names)
 
     def work() -> None:
         from neurosym.learning.network import DirectModel, EffectModel
@@ -310,15 +287,15 @@ def distill_stage(
         interactions = Interactions.load(folder.require(data))
         for name, one in ((of_model, model), (of_network, network)):
             problem = model_misfit(one.dimensions, interactions.columns, interactions.origin)
-            if problem and name.endswith((MODEL, DIRECT_MODEL)):
+            if problem and name.endswith((layout.MODEL, layout.DIRECT_MODEL)):
                 raise InvalidFile(folder / name, problem)
         known = model, network.predict_outcomes, interactions
         try:
-            if aim is OBJECTS and not (folder / WORLD).exists():
+            if aim is OBJECTS and not (folder / layout.WORLD).exists():
                 box = ActionBox(*box_of(interactions.actions, interactions.origin))
                 found = average_operators(*known, box, choice, seed=seed, open_bar=progress_bar)
             else:
-                method, factory = aim.method(folder, choice), read_world(folder.require(WORLD))
+                method, factory = aim.method(folder, choice), read_world(folder.require(layout.WORLD))
                 world = method.adapt(factory)()
                 widths = len(world.feature_names), len(world.action_box.low)
                 axes = getattr(world, "effect_axes", EFFECT_AXES)
@@ -340,7 +317,7 @@ def distill_stage(
         write_json(folder / aim.table, found)
 
     options = {"objects": objects, "seed": seed, **({} if aim.folder else {"choice": choice})}
-    inputs = tuple(dict.fromkeys((WORLD, aim.categories, of_model, of_network, data, *besides)))
+    inputs = tuple(dict.fromkeys((layout.WORLD, aim.categories, of_model, of_network, data, *besides)))
     return Stage(aim.stage("distill"), inputs, (aim.table,), work, options, Claim.ALONE)
 
 
@@ -355,26 +332,25 @@ def train_stage(
 ) -> Stage:
     """Make the final fit: `interactions.npz` -> `effect_model.safetensors` and `training.json`.
 
-    Args:
-        folder: The domain folder.
-        aim: What the actions are aimed at.
-        seed: Where all random draws start.
-        regime: Network and training.
-        object_bits: Bits of an object symbol; the regime's or the aim's if not given.
-        action_bits: Bits of an action symbol; likewise.
+    Bits are those of the regime or the aim, if not given.
 
     Raises:
         UnknownChoice: If there is no such regime.
         InvalidValue: If there can be no such symbols.
     """
-    chosen, data = regime_named(regime), aim.file(INTERACTIONS)
+    chosen, data = regime_named(regime), aim.file(layout.INTERACTIONS)
     network = chosen.model.with_bits(*(aim.bits or ())).with_bits(object_bits, action_bits)
-    learned = (*aim.besides, MODEL, aim.network, TRAINING)
+    learned = (*aim.besides, layout.MODEL, aim.network, layout.TRAINING)
 
     def work() -> None:
         from neurosym.learning.training import train
 
-        interactions = _trainable(folder, aim)
+        path = folder.require(data)
+        interactions = Interactions.load(path)
+        if problems := training_problems(interactions.columns, interactions.origin):
+            raise InvalidFile(path, problems[0])
+        if aim.axes not in (None, axes := interactions.effects.shape[1]):
+            raise InvalidFile(path, f"its effects have {counted_axes(axes)}; valid: {aim.axes}")
         files: dict[str, Any] = aim.learn(folder, interactions, chosen, seed)
         with progress_bar(f"training {aim.folder}".rstrip()) as advance:
             trained = train(
@@ -384,25 +360,15 @@ def train_stage(
                 seed=seed,
                 progress=lambda stage, share: advance(round(100 * share), 100, stage),
             )
-        files |= {TRAINING: trained.report, DIRECT_MODEL: trained.direct, MODEL: trained.model}
+        files |= {layout.DIRECT_MODEL: trained.direct, layout.MODEL: trained.model}
+        files[layout.TRAINING] = trained.report
         for name in learned:
-            path = folder / aim.file(name)
-            if path.suffix == ".json":
-                write_json(path, files[name])
+            file = folder / aim.file(name)
+            if file.suffix == ".json":
+                write_json(file, files[name])
             else:
-                files[name].save(path)
+                files[name].save(file)
 
     options = {"seed": seed, "regime": regime, **({} if aim.bits else network.unusual_bits())}
-    inputs = (*((WORLD,) if aim.besides else ()), data)
+    inputs = (*((layout.WORLD,) if aim.besides else ()), data)
     return Stage(aim.stage("train"), inputs, tuple(map(aim.file, learned)), work, options, Claim.ALONE)
-
-
-def _trainable(folder: DomainFolder, aim: Aim) -> Interactions:
-    """Load a data set, and refuse one that cannot be learned from."""
-    path = folder.require(aim.file(INTERACTIONS))
-    interactions = Interactions.load(path)
-    if problems := training_problems(interactions.columns, interactions.origin):
-        raise InvalidFile(path, problems[0])
-    if aim.axes not in (None, found := interactions.effects.shape[1]):
-        raise InvalidFile(path, f"its effects have {counted_axes(found)}; valid: {aim.axes}")
-    return interactions

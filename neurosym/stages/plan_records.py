@@ -1,6 +1,7 @@
 """How planning went, as it is written into a domain folder."""
 
 from collections.abc import Sequence
+from contextlib import suppress
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -70,7 +71,7 @@ class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_d
         return primitives(PlanStep(*step) for step in self.steps)
 
 
-def write_plans(
+def write_plan(
     folder: DomainFolder,
     planner: str,
     own: Problem,
@@ -78,54 +79,46 @@ def write_plans(
     grounding: Grounding,
     result: PlanResult,
     encoding: EncodingName,
-) -> tuple[GroundPlan, ...]:
-    """Write what was found for a problem: plan and record.
+) -> GroundPlan | None:
+    """Write what was found for a problem, and return the plan, which the printed problem has to fit.
 
     What is no plan of the printed domain and problem is written in short, and its file is called otherwise.
-
     `own` is the problem as it stands in the folder, which is what is printed; `problem` has the tolerance
     that was asked for.
-
-    Returns:
-        The plans that were written, which the printed problem has to fit.
     """
     plan_file, record_file = plan_files(own.name, planner)
     make_folder(folder / PLANS)
     stem = plan_file.removesuffix(PLAN)
     for former in (*folder.path.glob(f"{stem}-alt-*"), folder / plan_file, folder / steps_file(plan_file)):
         remove(former)
-    misses = validate(result.steps, problem, grounding).reason if result.status is PlanStatus.SOLVED else ""
-    plan, why_none, digested = None, "", ""
-    chance = within = None
+    steps, plan, found = result.steps, None, dict[str, Any]()
+    misses = validate(steps, problem, grounding).reason if result.status is PlanStatus.SOLVED else ""
     if result.has_plan:
-        found = _printed(result.steps, own, grounding, encoding)
-        if isinstance(found, GroundPlan):
-            plan, text = found, found.text
+        printed = _printed(steps, own, grounding, encoding)
+        if isinstance(printed, GroundPlan):
+            plan, text = printed, printed.text
         else:
-            why_none, text, plan_file = found, print_plan(result.steps, found), steps_file(plan_file)
+            found["unprinted"], text, plan_file = printed, print_plan(steps, printed), steps_file(plan_file)
         write_atomically(folder / plan_file, text)
-        digested = sha256(text.encode()).hexdigest()
-        chance = round(expected_success(result.steps, problem, grounding), 4)
+        found["digest"] = sha256(text.encode()).hexdigest()
+        found["chance"] = round(expected_success(steps, problem, grounding), 4)
         if not misses:
-            motions = primitives(result.steps) + MORE_MOTIONS
-            within = round(expected_within(result.steps, problem, grounding, motions), 4)
+            motions = primitives(steps) + MORE_MOTIONS
+            found["chance_replanned"] = round(expected_within(steps, problem, grounding, motions), 4)
     record = PlanRecord(
         problem=own.name,
         planner=planner,
         status=result.status,
-        steps=named_steps(result.steps),
+        steps=named_steps(steps),
         seconds=round(result.seconds, 3),
         reason=result.reason,
-        chance=chance,
         tolerance=None if problem.tolerance == own.tolerance else problem.tolerance,
-        chance_replanned=within,
         misses=misses,
         encoding=encoding,
-        unprinted=why_none,
-        digest=digested,
+        **found,
     )
     write_json(folder / record_file, record)
-    return (plan,) if plan else ()
+    return plan
 
 
 def _printed(
@@ -133,10 +126,8 @@ def _printed(
 ) -> GroundPlan | str:
     """Return steps as a plan of the printed domain, or why they are none."""
     checked = validate(steps, problem, grounding)
-    if not checked.valid:
-        return checked.reason
     try:
-        return ground_plan(steps, problem, grounding, encoding)
+        return ground_plan(steps, problem, grounding, encoding) if checked.valid else checked.reason
     except InvalidValue as error:
         return str(error)
 
@@ -154,18 +145,15 @@ def recorded_plans(
 
     Those of the planner `besides` are left out.
     """
-    found = list[GroundPlan | str]()
+    found = []
     for path in sorted((folder / PLANS).glob(f"{problem.name}.*.json")):
-        if path.name == f"{problem.name}.{besides}.json":
-            continue
-        try:
+        with suppress(InvalidFile, InvalidValue, UnknownChoice):  # of another time, or of somebody else
             record = read_json(path, PlanRecord)
-            if (folder / plan_files(record.problem, record.planner)[0]).is_file():
+            is_there = (folder / plan_files(record.problem, record.planner)[0]).is_file()
+            if is_there and path.name != f"{problem.name}.{besides}.json":
                 steps = [PlanStep(*step) for step in record.steps]
                 encoding: EncodingName = NUMERIC if record.encoding == NUMERIC else STRIPS
                 found.append(_printed(steps, problem, grounding, encoding))
-        except (InvalidFile, InvalidValue, UnknownChoice):
-            continue  # of another time, or of somebody else: it does not matter what is printed for it
     return tuple(plan for plan in found if isinstance(plan, GroundPlan))
 
 

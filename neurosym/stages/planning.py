@@ -7,7 +7,7 @@ import msgspec
 import numpy as np
 
 from neurosym.choices import is_factory
-from neurosym.contract import limits_of
+from neurosym.contract import ObjectLimits, limits_of
 from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, StageMissing, UnknownChoice, quoted
 from neurosym.grounding import Grounding
 from neurosym.operators import symbols_of
@@ -21,10 +21,9 @@ from neurosym.problems import Problem
 from neurosym.stages.compilation import print_beside, print_problem
 from neurosym.stages.folder import DomainFolder, Stage, load_scene
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, printed_file, scene_file, steps_file
-from neurosym.stages.plan_records import write_plans
-from neurosym.tasks.promises import is_rehearsed, usable
-from neurosym.tasks.supports import is_relational
-from neurosym.tasks.task import blockers, footprints_apart, understand
+from neurosym.stages.plan_records import write_plan
+from neurosym.tasks.promises import is_rehearsed
+from neurosym.tasks.task import is_relational, understand
 from neurosym.world import World
 from neurosym.worlds.world_file import read_limits
 
@@ -32,14 +31,10 @@ from neurosym.worlds.world_file import read_limits
 def tell_remarks(
     folder: DomainFolder, problem: Problem, grounding: Grounding, *, is_new: bool = True
 ) -> None:
-    """Tell a user all that is to be said of a problem.
-
-    If somebody put it there, and it is new, that is also of its objects.
-    """
+    """Tell a user all that is to be said of a problem, and of its objects if it is new from somebody else."""
     for remark in (
         *(remarks_on_objects(folder, problem, grounding) if is_new else ()),
         *remarks_on_places(problem, grounding),
-        *remarks_on_blocked(problem, grounding),
         *remarks_on_number(folder, problem),
     ):
         folder.notify(remark)
@@ -59,25 +54,9 @@ def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
         )
 
 
-def remarks_on_blocked(problem: Problem, grounding: Grounding) -> Iterator[str]:
-    """Name the places that an object stands on which nothing in the domain moves."""
-    if not problem.places:
-        return
-    carried, apart = understand(problem, grounding).carried, footprints_apart(problem)
-    fixed = [
-        item.name
-        for item in problem.objects
-        if item.name not in carried and not usable(grounding, item, problem.tolerance)
-    ]
-    for name, spot in problem.places.items():
-        others = blockers(carried[0], spot, problem, apart) if carried else ()
-        if on := [other for other in others if other in fixed]:
-            yield f"{on[0]} stands on the place {name}, and nothing in this domain moves it away"
-
-
 def remarks_on_number(folder: DomainFolder, problem: Problem) -> Iterator[str]:
     """Say if there are more objects than the world of a folder simulates; plans can be found all the same."""
-    limits = read_limits(folder / WORLD) if (folder / WORLD).is_file() else None
+    limits = _limits(folder)
     if limits and (reason := limits.too_many(len(problem.objects))):
         yield f"{reason}, so plans for this problem cannot be executed"
 
@@ -125,26 +104,21 @@ def load_problem(folder: DomainFolder, name: str, world: World | None = None) ->
 
 
 def check_scene(folder: DomainFolder, problem: Problem, path: Path, world: World | None = None) -> None:
-    """Raise unless a problem can be one of a folder, as far as the folder tells; see `check_problem`.
+    """Raise `InvalidFile` unless a problem that was read from a path can be one of a folder.
 
-    Args:
-        folder: The domain folder.
-        problem: The problem.
-        path: Where it was read.
-        world: The folder's world, if it is at hand; else what `world.toml` says of it.
-
-    Raises:
-        InvalidFile: If it cannot be.
+    That is judged by the folder's world, if it is at hand, or else by what `world.toml` says of it; see
+    `check_problem`.
     """
     grounding = Grounding.load(folder / GROUNDING) if (folder / GROUNDING).is_file() else None
-    if world:
-        limits = limits_of(world)
-    else:
-        limits = read_limits(folder / WORLD) if (folder / WORLD).is_file() else None
+    limits = limits_of(world) if world else _limits(folder)
     try:
         check_problem(problem, grounding, limits)
     except (InvalidValue, UnknownChoice) as error:
         raise InvalidFile(path, str(error).rstrip(".")) from error
+
+
+def _limits(folder: DomainFolder) -> ObjectLimits | None:
+    return read_limits(folder / WORLD) if (folder / WORLD).is_file() else None
 
 
 def plan_stage(
@@ -213,8 +187,8 @@ def plan_stage(
         result = look_again(result, problem, grounding, chosen, time_limit=time_limit, goes_near=nearest)
         printed = chosen.program.encoding_for(chosen.name, encoding) if chosen.program else STRIPS
         printed = STRIPS if printed == SAS or understand(own, grounding).relates else printed
-        plans = write_plans(folder, chosen.name, own, problem, grounding, result, printed)
-        print_beside(folder, own, grounding, printed, plans, chosen.name)
+        found = write_plan(folder, chosen.name, own, problem, grounding, result, printed)
+        print_beside(folder, own, grounding, printed, found, chosen.name)
 
     # what is not asked for is left out, so that records of earlier versions stay up to date
     asked = {"whole": whole, "nearest": nearest, "tolerance": tolerance, "factory": made_by}

@@ -1,8 +1,8 @@
 """The stages that make a problem: drawn from the world, with goals given by hand, or a scene taken over."""
 
-import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import permutations
 from pathlib import Path
 from typing import Any, cast, get_args
 
@@ -17,22 +17,13 @@ from neurosym.operators import TOLERANCE, Categorise
 from neurosym.pair_operators import LEAST_SHARE, PairStates, RelationOperators
 from neurosym.pddl.grid import check_on_table
 from neurosym.problems import Problem, RelationGoal
+from neurosym.stages import layout
 from neurosym.stages.compilation import put_problem
 from neurosym.stages.folder import DomainFolder, Stage
-from neurosym.stages.layout import (
-    GROUNDING,
-    MODEL,
-    RELATION_CHANCES,
-    RELATION_MODEL,
-    RELATION_STATES,
-    WORLD,
-    problem_files,
-    scene_file,
-)
 from neurosym.stages.planning import check_scene, remarks_on_number, tell_remarks
 from neurosym.tasks.options import puts_for
 from neurosym.tasks.pair_goals import check_relations, relations_meant
-from neurosym.tasks.supports import PairSight, known_bearers, with_pairs
+from neurosym.tasks.supports import PairSight, with_pairs
 from neurosym.world import World
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, Way, Ways, draw_relation_task
 from neurosym.worlds.task_drawing import Fits, draw_task
@@ -50,7 +41,6 @@ def draw_any_task(
     seed: int,
     height: int = HEIGHT,
     state: str = "",
-    like: Problem | None = None,
     tolerance: float = TOLERANCE,
     fits: Fits | None = None,
     sight: PairSight | None = None,
@@ -67,7 +57,6 @@ def draw_any_task(
         seed: Same seed, same task.
         height: How many objects a tower or a stack has.
         state: The state that pairs shall come to, by name, its beginning, or symbol; any, if not given.
-        like: The other scene, for `like`.
         tolerance: How near each object must come to its goal [m].
         fits: Says of the features of an object whether it may be drawn; for goals on the table.
         sight: What networks say of pairs; by default a pair is of the kind whose mean features are nearest.
@@ -78,32 +67,24 @@ def draw_any_task(
     """
     if kind not in (known := get_args(TaskKind) + RELATION_TASKS):
         raise UnknownChoice("kind of task", str(kind), known)
+    asked: dict[str, Any] = {"name": name, "objects": objects, "seed": seed, "tolerance": tolerance}
     if kind not in RELATION_TASKS:
-        plain = cast(TaskKind, kind)
-        return draw_task(
-            world, categorise, plain, name=name, objects=objects, seed=seed, tolerance=tolerance, fits=fits
-        )
+        return draw_task(world, categorise, cast(TaskKind, kind), fits=fits, **asked)
     relations = grounding.relations
     if relations is None:
         raise InvalidValue(
             f"This domain has learned no relations, which the task {kind!r} is made of; "
             f"valid: {', '.join(get_args(TaskKind))}."
         )
-    bearers = known_bearers(like, relations) if like else {}
     problem = draw_relation_task(
         world,
         categorise,
         relations,
         lambda drawn: ways_of(drawn, grounding, sight),
         kind,
-        name=name,
-        objects=objects,
-        seed=seed,
         height=height,
         state=_state_asked(state, relations) if state else "",
-        like=like,
-        likened=tuple((target, borne.by, borne.state.name) for target, borne in bearers.items()),
-        tolerance=tolerance,
+        **asked,
     )
     return with_pairs(problem, relations, sight)
 
@@ -121,46 +102,46 @@ def _state_asked(asked: str, relations: RelationOperators) -> str:
     return state.name
 
 
+_OF_PAIRS = (layout.RELATION_MODEL, layout.RELATION_CHANCES, layout.RELATION_STATES)
+
+
 def sight_of_pairs(folder: DomainFolder) -> PairSight | None:
     """Return what the networks of a domain folder say of pairs; None if none were learned."""
-    if not (folder / RELATION_MODEL).exists():
+    if not (folder / layout.RELATION_MODEL).exists():
         return None
     from neurosym.learning.network import DirectModel, EffectModel
     from neurosym.learning.state_codes import foreseen_by
 
-    kinds = EffectModel.load(folder / RELATION_MODEL).object_symbols
-    if not (folder / RELATION_CHANCES).exists():
+    kinds = EffectModel.load(folder / layout.RELATION_MODEL).object_symbols
+    if not (folder / layout.RELATION_CHANCES).exists():
         return PairSight(kinds)
-    chances = foreseen_by(DirectModel.load(folder / RELATION_CHANCES))
-    return PairSight(kinds, chances, PairStates.load(folder.require(RELATION_STATES)).bearing)
+    chances = foreseen_by(DirectModel.load(folder / layout.RELATION_CHANCES))
+    return PairSight(kinds, chances, PairStates.load(folder.require(layout.RELATION_STATES)).bearing)
 
 
 def _networks_of_pairs(folder: DomainFolder) -> tuple[str, ...]:
-    """Name the files of a domain folder that `sight_of_pairs` reads."""
-    files = RELATION_MODEL, RELATION_CHANCES, RELATION_STATES
-    return tuple(name for name in files if (folder / name).exists())
+    """Name the files that `sight_of_pairs` reads."""
+    return tuple(name for name in _OF_PAIRS if (folder / name).exists())
 
 
 def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = None) -> Ways:
     """Say what can be done with each pair of objects of a problem, by operators for pairs of its kind."""
-    relations = grounding.relations
-    if relations is None:
+    if (relations := grounding.relations) is None:
         return {}
-    problem, names = with_pairs(problem, relations, sight), problem.object_names
-    return {
-        (target, other): tuple(
+    problem = with_pairs(problem, relations, sight)
+    ways = dict[tuple[str, str], tuple[Way, ...]]()
+    for target, other in permutations(problem.object_names, 2):
+        puts = [put for put in puts_for(problem, grounding, target, other) if put.kind]
+        ways[target, other] = tuple(
             Way(
                 put.state.name,
                 put.operator.takes("occupied"),
                 np.array(grounding.primitive_of(put.operator).action),
             )
-            for put in puts_for(problem, grounding, target, other)
-            if put.kind and put.share >= LEAST_SHARE
+            for put in puts
+            if put.share >= LEAST_SHARE
         )
-        for target in names
-        for other in names
-        if target != other
-    }
+    return ways
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,21 +170,13 @@ class Asked:
     height: int = HEIGHT
     state: str = ""
 
-    @property
-    def is_relational(self) -> bool:
-        """Whether relations are asked for."""
-        return bool(self.relations) or self.task in RELATION_TASKS
-
     def options(self) -> dict[str, Any]:
         """Return it as a manifest keeps it; what is as usual was not always there, and is left out."""
-        usual = {field.name: field.default for field in dataclasses.fields(self)}
-        every = {name: getattr(self, name) for name in usual}
-        always = ("objects", "actions", "seed", "goals")
-        kept = {name: value for name, value in every.items() if name in always or value != usual[name]}
-        plain: dict[str, Any] = msgspec.json.decode(
-            msgspec.json.encode(kept, enc_hook=lambda one: one.item())
-        )
-        return plain
+        always, usual = ("objects", "actions", "seed", "goals"), Asked()
+        every = {name: getattr(self, name) for name in self.__slots__}
+        kept = {name: one for name, one in every.items() if name in always or one != getattr(usual, name)}
+        encoded = msgspec.json.encode(kept, enc_hook=lambda one: one.item())
+        return cast(dict[str, Any], msgspec.json.decode(encoded))
 
 
 def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
@@ -218,15 +191,16 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
     """
 
     def work() -> None:
-        grounding = Grounding.load(folder.require(GROUNDING))
+        grounding = Grounding.load(folder.require(layout.GROUNDING))
         problem = _made(folder, name, asked, grounding)
         for remark in remarks_on_number(folder, problem):
             folder.notify(remark)
         put_problem(folder, problem, grounding)
 
-    printed_as = problem_files(name)[:1] if asked.is_relational else problem_files(name)
-    inputs = (WORLD, MODEL, GROUNDING, *_networks_of_pairs(folder))
-    return Stage(f"new-problem {name}", inputs, (*printed_as, scene_file(name)), work, asked.options())
+    is_relational = bool(asked.relations) or asked.task in RELATION_TASKS
+    printed_as = layout.problem_files(name)[:1] if is_relational else layout.problem_files(name)
+    inputs = (layout.WORLD, layout.MODEL, layout.GROUNDING, *_networks_of_pairs(folder))
+    return Stage(f"new-problem {name}", inputs, (*printed_as, layout.scene_file(name)), work, asked.options())
 
 
 def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -> Problem:
@@ -234,8 +208,8 @@ def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -
     from neurosym.learning.network import EffectModel
     from neurosym.worlds.task_drawing import draw_problem, set_problem
 
-    world = read_world(folder.require(WORLD))()
-    categorise = EffectModel.load(folder.require(MODEL)).object_symbols
+    world = read_world(folder.require(layout.WORLD))()
+    categorise = EffectModel.load(folder.require(layout.MODEL)).object_symbols
     sight = sight_of_pairs(folder)
     named: dict[str, Any] = {"name": name, "objects": asked.objects, "seed": asked.seed}
     if asked.task is not None:
@@ -262,7 +236,7 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
     """
 
     def work() -> None:
-        grounding = Grounding.load(folder.require(GROUNDING))
+        grounding = Grounding.load(folder.require(layout.GROUNDING))
         problem = msgspec.structs.replace(Problem.load(file), name=name).within(tolerance)
         problem = with_pairs(problem, grounding.relations, sight_of_pairs(folder))
         check_scene(folder, problem, file)
@@ -275,6 +249,6 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
         put_problem(folder, problem, grounding)
 
     options = {"scene": digest(file)} | ({} if tolerance is None else {"tolerance": tolerance})
-    outputs = (*problem_files(name), scene_file(name))
-    inputs = (WORLD, GROUNDING, *_networks_of_pairs(folder))
+    outputs = (*layout.problem_files(name), layout.scene_file(name))
+    inputs = (layout.WORLD, layout.GROUNDING, *_networks_of_pairs(folder))
     return Stage(f"new-problem {name}", inputs, outputs, work, options)

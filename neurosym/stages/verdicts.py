@@ -29,7 +29,6 @@ from neurosym.planners.unified_planning import PddlVerdict, validate_pddl
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN_FILES, GROUNDING, printed_file
-from neurosym.stages.plan_records import planned_tolerance
 from neurosym.stages.planning import load_problem
 from neurosym.tasks.chances import expected_success
 from neurosym.tasks.task import understand
@@ -39,28 +38,18 @@ _Level = Literal["useless", "weak", "good", "unproven"]
 LEVELS: tuple[_Level, ...] = ("useless", "weak", "good", "unproven")
 """The worst first; what proves nothing counts only where there is nothing else."""
 
-USELESS_R2 = 0.1
-"""Bits that explain less of how effects vary than this are useless."""
-GOOD_R2 = 0.3
-"""Bits that explain less than this are weak."""
-LEAST_GAIN = 0.05
-"""Errors less than this share below those of the best trivial predictor are weak."""
-MOST = 0.5
-"""*Most* is this share or more: of trials, of operators, of objects, and of what a network without a
-bottleneck explains."""
-FEW = 0.2
-"""Fewer than this share of the operators keep their promise, or of the tasks are reached: useless."""
-FEW_ROWS = 500
-"""Where fewer interactions than this did not do, more of them are the likeliest remedy."""
-LEAST_TOLD = 0.1
-"""If operators explain less than this of the mean square of effects, they tell no more than always zero."""
-FAR = 10
-"""Effects of more tolerances than this are in too small a unit, if they are not met within one."""
-WIDEST = 0.4
-"""A Wilson interval that is wider than this proves nothing."""
-ENOUGH_TASKS = 21
-"""From so many tasks on, no Wilson interval is wider than that."""
+USELESS_R2 = 0.1  # bits that explain less of how effects vary are useless
+GOOD_R2 = 0.3  # bits that explain less are weak
+LEAST_GAIN = 0.05  # errors less than this share below those of the best trivial predictor are weak
+MOST = 0.5  # *most* is this share: of trials, operators, objects, and what a network without bits explains
+FEW = 0.2  # fewer than this share of the operators keep their promise, or of the tasks are reached: useless
+FEW_ROWS = 500  # where fewer interactions than this did not do, more of them are the likeliest remedy
+LEAST_TOLD = 0.1  # if operators explain less of the mean square of effects, they tell no more than zero
+FAR = 10  # effects of more tolerances than this are in too small a unit, if they are not met within one
+WIDEST = 0.4  # a Wilson interval that is wider proves nothing
+ENOUGH_TASKS = 21  # from so many tasks on, no Wilson interval is wider than that
 _Z = 1.959964  # of 95 % of a normal distribution
+_DECISIVE = "features and action parameters that decide what happens"
 _MODEL = "model"  # what the errors of the trained model are called among those of trivial predictors
 
 
@@ -93,6 +82,11 @@ def worst(verdicts: Iterable[Verdict]) -> Verdict:
     return min(verdicts, key=lambda verdict: LEVELS.index(verdict.level))
 
 
+def _first(*rules: tuple[bool, str]) -> str:
+    """Return the words of the first rule that applies."""
+    return next(words for applies, words in rules if applies)
+
+
 def judge_training(report: TrainingReport, data: Interactions) -> Verdict:
     """Judge how well effects are predicted through the bits, beside predictors that look at nothing.
 
@@ -105,53 +99,27 @@ def judge_training(report: TrainingReport, data: Interactions) -> Verdict:
     trivial = {name: sum(values) for name, values in report.mae.items() if name != _MODEL}
     best = min(trivial, key=lambda name: trivial[name], default="")
     gain = 1 - sum(errors) / trivial[best] if trivial.get(best) else 0.0
-    miss = 0.0 if _is_aimed(data) else max(errors, default=0.0)
+    is_aimed = "reference" in data.origin
+    miss = 0.0 if is_aimed else max(errors, default=0.0)
     sentence = f"R2 {r2:.2f} through the bits, errors {abs(gain):.0%} {'below' if gain >= 0 else 'above'} "
     sentence += f"those of {best or 'nothing'}"
     if miss > TOLERANCE:
         sentence += f"; they are {miss:.2g} on an axis, and {TOLERANCE:g} counts as promised"
     if r2 >= GOOD_R2 and gain >= LEAST_GAIN and miss <= TOLERANCE:
         return Verdict("good", sentence)
-    return Verdict("useless" if r2 < USELESS_R2 else "weak", sentence, _why_untold(report, data, miss))
-
-
-def _why_untold(report: TrainingReport, data: Interactions, miss: float) -> str:
-    """Say why effects are not predicted through the bits: the first reason that applies."""
-    if len(data) < FEW_ROWS:
-        return f"there are only {counted(len(data), 'interaction')}; bring more{_or_mirrors(data)}"
-    if report.r2_direct < GOOD_R2:
-        return (
-            f"a network without bits does hardly better (R2 {report.r2_direct:.2f}); bring features and "
-            f"action parameters that decide what happens, or more interactions{_or_mirrors(data)}"
-        )
-    if report.r2_through_codes < MOST * report.r2_direct:
-        lost = f"the bits lose most of what a network without them tells (R2 {report.r2_direct:.2f})"
-        return f"{lost}; {_better_bits(report, data)}"
-    if miss > TOLERANCE:
-        remedy = (
-            "have goals met within a larger --tolerance"
-            if is_explored(data.origin)
-            else "give them in a larger unit"
-        )
-        return f"{TOLERANCE:g} is too strict for effects so large; {remedy}"
-    return f"little happens, or it scatters; bring more interactions{_or_mirrors(data)}"
-
-
-def _better_bits(report: TrainingReport, data: Interactions) -> str:
-    if _is_aimed(data):  # their bits are not the user's to choose
-        return "bring more interactions"
-    if report.empty_action_codes:
-        codes = counted(len(report.empty_action_codes), "code")
-        return f"{codes} for actions stay empty, so train again with another --seed"
-    return "train with more bits: --action-bits, --object-bits"
-
-
-def _is_aimed(data: Interactions) -> bool:
-    return "reference" in data.origin
-
-
-def _or_mirrors(data: Interactions) -> str:
-    return "" if data.origin.get("mirrors") else ", or name mirrors, if all looks the same in some"
+    mirrors = "" if data.origin.get("mirrors") else ", or name mirrors, if all looks the same in some"
+    more, is_ours, empty = f"bring more{mirrors}", is_explored(data.origin), report.empty_action_codes
+    unit = "have goals met within a larger --tolerance" if is_ours else "give them in a larger unit"
+    bits = "take another --seed, as codes stay empty" if empty else "use more --action-bits, --object-bits"
+    without = f"a network without bits (R2 {report.r2_direct:.2f})"
+    remedy = _first(
+        (len(data) < FEW_ROWS, f"there are only {counted(len(data), 'interaction')}; {more}"),
+        (report.r2_direct < GOOD_R2, f"{without} does hardly better; bring {_DECISIVE}, or {more}"),
+        (r2 < MOST * report.r2_direct, f"bits lose most of {without}; {more if is_aimed else bits}"),
+        (miss > TOLERANCE, f"{TOLERANCE:g} is too strict for effects so large; {unit}"),
+        (True, f"little happens, or it scatters; {more}"),
+    )
+    return Verdict("useless" if r2 < USELESS_R2 else "weak", sentence, remedy)
 
 
 def judge_operators(table: OperatorTable, usable: Collection[str] | None = None) -> Verdict:
@@ -167,16 +135,13 @@ def judge_operators(table: OperatorTable, usable: Collection[str] | None = None)
     idle = {one.name: one.share for one in table.categories if one.share and one.symbol not in acting}
     sentence = f"{len(sure)} of {counted(len(judged), 'operator')} keep their promise in most {table.trials}"
     if sure and idle:
-        sentence += (
-            f"; none of these moves {listed_briefly(list(idle))} ({sum(idle.values()):.0%} of objects)"
-        )
+        moves = f"{listed_briefly(list(idle))} ({sum(idle.values()):.0%} of objects)"
+        sentence += f"; none of these moves {moves}"
     if not acting or len(sure) < FEW * len(judged):
-        level: _Level = "useless"
-    elif len(sure) < MOST * len(judged) or sum(idle.values()) > 1 - MOST:
-        level = "weak"
-    else:
-        return Verdict("good", sentence)
-    return Verdict(level, sentence, _why_unkept(table, judged, len(sure)))
+        return Verdict("useless", sentence, _why_unkept(table, judged, len(sure)))
+    if len(sure) < MOST * len(judged) or sum(idle.values()) > 1 - MOST:
+        return Verdict("weak", sentence, _why_unkept(table, judged, len(sure)))
+    return Verdict("good", sentence)
 
 
 def judge_domain(grounding: Grounding) -> Verdict:
@@ -224,30 +189,20 @@ def _why_unkept(table: OperatorTable, judged: Collection[Operator], sure: int) -
     promises = [operator.promise for operator in judged if operator.promise]
     # what an operator does in the root mean square, whether or not that is always alike
     largest = max((math.hypot(*one.outcome, *one.scatter) for one in promises), default=0.0)
-    more = "bring more interactions" if table.measured == "data" else "distil with more --objects"
-    if sum(operator.trials < MIN_TRIALS for operator in judged) > (1 - MOST) * len(judged):
-        return f"most operators have fewer than {MIN_TRIALS} {table.trials}; {more}, or take fewer bits"
-    if not promises or _told(promises) < LEAST_TOLD:
-        return (
-            "what is done scatters as if nothing were known of object and action; bring features that tell "
-            "objects apart, or more interactions"
-        )
-    if sure < MOST * len(judged):
-        if table.measured == "data" and largest > FAR * TOLERANCE:  # a world is in metres
-            return (
-                f"effects of about {largest:.2g} occur, and an outcome counts as promised within "
-                f"{TOLERANCE:g} of its mean; give them in a larger unit"
-            )
-        return (
-            "objects or actions of one symbol end differently; train with more bits (--action-bits, "
-            "--object-bits), or bring more interactions"
-        )
-    if largest <= TOLERANCE:
-        return (
-            f"no effect exceeds {TOLERANCE:g}, within which every outcome counts as promised; give them in a "
-            "smaller unit"
-        )
-    return "what moves these objects was not found; explore more, or train with more --action-bits"
+    is_of_data = table.measured == "data"  # a world is in metres
+    more = "bring more interactions" if is_of_data else "distil with more --objects"
+    more += ", or take fewer bits"
+    rare, is_unsure = sum(one.trials < MIN_TRIALS for one in judged), sure < MOST * len(judged)
+    is_far, within = largest > FAR * TOLERANCE, f"within {TOLERANCE:g} counts as promised; give them in a"
+    is_untold = not promises or _told(promises) < LEAST_TOLD
+    return _first(
+        (rare > (1 - MOST) * len(judged), f"most have fewer than {MIN_TRIALS} {table.trials}; {more}"),
+        (is_untold, f"what happens scatters; bring {_DECISIVE} and tell objects apart, or more interactions"),
+        (is_unsure and is_of_data and is_far, f"effects of {largest:.2g} occur, and {within} larger unit"),
+        (is_unsure, "what has one symbol ends differently; use more bits, or bring more interactions"),
+        (largest <= TOLERANCE, f"no effect is large, and all {within} smaller unit"),
+        (True, "what moves these objects was not found; explore more, or train with more --action-bits"),
+    )
 
 
 def _told(promises: Collection[Mode]) -> float:
@@ -256,10 +211,9 @@ def _told(promises: Collection[Mode]) -> float:
     It is the R2 beside always zero. What is carried to a place ends near zero on purpose and does not count.
     """
     rows = [promise for promise in promises if promise.kind != "carried"]
-    counts = np.array([promise.count for promise in rows], dtype=float)
-    moved = counts @ [np.square(promise.outcome).sum() for promise in rows] if rows else 0.0
-    scattered = counts @ [np.square(promise.scatter).sum() for promise in rows] if rows else 0.0
-    return float(moved / (moved + scattered)) if moved else float(not rows)
+    moved = sum(promise.count * float(np.square(promise.outcome).sum()) for promise in rows)
+    scattered = sum(promise.count * float(np.square(promise.scatter).sum()) for promise in rows)
+    return moved / (moved + scattered) if moved else float(not rows)
 
 
 @dataclass(frozen=True, slots=True)
@@ -290,40 +244,27 @@ def judge_tries(tries: Mapping[str, Tries], *, how: str = "", tolerance: float =
     best = max(tries, key=lambda name: tries[name].reached)
     one = tries[best]
     if not one.of:
-        return Verdict(
-            "unproven", "no task needed a plan", "all goals were met at the start; draw more tasks"
-        )
+        sentence, remedy = "no task needed a plan", "all goals were met at the start; draw more tasks"
+        return Verdict("unproven", sentence, remedy)
     low, high = wilson(one.reached, one.of)
     told = f"{best} reached {one.reached} of {counted(one.of, 'task')}{how and ' ' + how}"
     between = f"{low:.0%} to {high:.0%} with 95% confidence"
     if high - low > WIDEST:
-        return Verdict(
-            "unproven",
-            f"nothing is proved by {counted(one.of, 'task')}: {told}, which may be {between}",
-            f"chance decides so few; draw {ENOUGH_TASKS} tasks or more",
-        )
-    sentence = f"{told}, {between}{_beside(tries, best, low)}"
+        sentence = f"nothing is proved by {counted(one.of, 'task')}: {told}, which may be {between}"
+        return Verdict("unproven", sentence, f"chance decides so few; draw {ENOUGH_TASKS} tasks or more")
+    # who is proved to reach less: whose interval ends below
+    behind = [name for name, other in tries.items() if wilson(other.reached, other.of)[1] < low]
+    even = [name for name in tries if name not in (best, *behind)]
+    sentence = f"{told}, {between}" + (f"; more than {listed_briefly(behind)}" if behind else "")
+    sentence += f"; not proved to be more than {listed_briefly(even)}" if even else ""
     if low >= MOST:
         return Verdict("good", sentence)
-    return Verdict("useless" if high < FEW else "weak", sentence, _why_missed(one, tolerance))
-
-
-def _beside(tries: Mapping[str, Tries], best: str, low: float) -> str:
-    """Say of which other planners it is proved that they reach less: their intervals end below."""
-    others = [name for name in tries if name != best]
-    behind = [name for name in others if wilson(tries[name].reached, tries[name].of)[1] < low]
-    even = [name for name in others if name not in behind]
-    more = f"; more than {listed_briefly(behind)}" if behind else ""
-    return more + (f"; not proved to be more than {listed_briefly(even)}" if even else "")
-
-
-def _why_missed(tries: Tries, tolerance: float) -> str:
-    """Say why tasks were not reached: the first reason that applies."""
-    if tries.found < MOST * tries.of:
-        return "most tasks have no plan, as too little can be done; explore more, or take more --action-bits"
-    if tolerance < TOLERANCE:
-        return f"goals within {tolerance:g} ask for more than operators promise; allow a larger --tolerance"
-    return "plans are found and miss; distil with more --objects, or explore more"
+    remedy = _first(
+        (one.found < MOST * one.of, "most tasks have no plan; explore more, or take more --action-bits"),
+        (tolerance < TOLERANCE, f"goals within {tolerance:g} ask too much; allow a larger --tolerance"),
+        (True, "plans are found and miss; distil with more --objects, or explore more"),
+    )
+    return Verdict("useless" if high < FEW else "weak", sentence, remedy)
 
 
 def wilson(reached: int, of: int) -> tuple[float, float]:
@@ -396,7 +337,7 @@ def judge_plan(
     files = {encoding: folder / DOMAIN_FILES[encoding] for encoding in ENCODINGS}
     domains = {encoding: read_text(file) for encoding, file in files.items() if file.is_file()}
     try:
-        steps, unread = read_plan(plan_file, grounding, own.within(planned_tolerance(plan_file))), ""
+        steps, unread = read_plan(plan_file, grounding, own), ""
     except InvalidPlan as error:
         if not any(_has(domain, actions) for domain in domains.values()):
             raise
@@ -443,10 +384,10 @@ def _by_pddl(
             found.append((DOMAIN_FILES[encoding], judged(encoding, actions), False))
             if found[-1][1].valid:
                 return found[-1]
-    if found or not steps:
-        return (
-            found[0] if found else ("", PddlVerdict(False, "no printed domain has all of its actions"), False)
-        )
+    if found:
+        return found[0]
+    if not steps:
+        return "", PddlVerdict(False, "no printed domain has all of its actions"), False
     try:
         plan = ground_plan(steps, problem, grounding)
     except InvalidValue as error:

@@ -1,4 +1,4 @@
-"""The page of a session: what is seen of it in three dimensions, and its panels.
+"""The page of a session: what is seen of it in three dimensions, and what its panels have in common.
 
 The session says by topic what has changed, from whatever thread. One thread of the page draws it, at most
 `_MOST_OFTEN` times a second, so that a drag or a run is never drawn later than it happens.
@@ -6,64 +6,53 @@ The session says by topic what has changed, from whatever thread. One thread of 
 
 import threading
 import time
-from typing import Any
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
 
+import numpy as np
 import viser
 
-from neurosym.errors import counted
 from neurosym.operators import Vector, vector
 from neurosym.problems import Problem, SceneObject
 from neurosym.studio.desk import Topic
-from neurosym.studio.messages import Seen
-from neurosym.studio.panel import Board, Panel, RunPanel, TourPanel, by_user, set_content
-from neurosym.studio.panels import PlanPanel, SymbolsPanel, TablePanel
 from neurosym.studio.session import Session
-from neurosym.studio.view import Grab, View, aim_camera
-from neurosym.studio.words import BAD, GOOD, coloured, paragraph, safe
+from neurosym.studio.view import Grab, Overlays, View, aim_camera
 from neurosym.world import Scene
 
-_MOST_OFTEN = 30.0
-"""How often a page is drawn at most [1/s]."""
-_WIDTH = 400
-"""Of the panels [pixels]."""
+_Field = TypeVar("_Field", bound=Any)
+_MOST_OFTEN = 30.0  # how often a page is drawn at most [1/s]
+_WIDTH = 400  # of the panels [pixels]
+_DARK, _LIGHT = (24, 26, 30), (245, 246, 248)
 
 
-class Page(Board):
-    """The page of a session; all windows that look at it show the same.
+class Page:
+    """The page of a session, on a server of its own; the first of its panels stands above the tabs."""
 
-    Args:
-        server: Serves this page and no other.
-        session: What it shows.
-
-    Attributes:
-        drawn: How many poses were drawn so far.
-    """
-
-    def __init__(self, server: viser.ViserServer, session: Session):
-        super().__init__(server, session)
-        self._grabs: dict[tuple[str, str], Grab] = {}
-        self._before: dict[str, Problem] = {}
-        self._is_closed, self.drawn = False, 0
+    def __init__(
+        self, server: viser.ViserServer, session: Session, panels: Mapping[str, Callable[["Page"], "Panel"]]
+    ):
+        self.server, self.session = server, session
+        self.selected = session.problem.object_names[0] if session.problem else ""  # what panels are about
+        self._topics: set[Topic] = {"scene", "plan", "run", "status"}
+        self._lock, self._has_changed = threading.Lock(), threading.Event()
+        self._has_changed.set()
+        self._grabs: dict[tuple[str, str], tuple[Grab, Problem]] = {}
+        self._is_closed, self.drawn = False, 0  # poses so far
         self._rested: Scene | None = None
         self.set_dark(False)
         server.gui.main_panel.dock_right()
         server.gui.main_panel.set_width(_WIDTH)
         aim_camera(server, session.library)
         self.view = View(server.scene, session.library, self._grabbed)
-        self.panels: list[Panel] = [AboutPanel(self)]
+        self.overlays = Overlays(server.scene)
+        (_, head), *others = panels.items()
+        self.panels = [head(self)]
         tabs = server.gui.add_tab_group()
-        for label, panel in (
-            ("Table", TablePanel),
-            ("Plan", PlanPanel),
-            ("Run", RunPanel),
-            ("Symbols", SymbolsPanel),
-            ("Tour", TourPanel),
-        ):
+        for label, panel in others:
             with tabs.add_tab(label):
                 self.panels.append(panel(self))
         session.listen(self.hear)
-        for topic in ("scene", "plan", "run", "status"):
-            self.hear(topic)
         self._thread = threading.Thread(target=self._draw_all, daemon=True)
         self._thread.start()
 
@@ -71,8 +60,38 @@ class Page(Board):
         """Stop drawing, and end what the session works on."""
         self._is_closed = True
         self._has_changed.set()
-        self._thread.join(2.0)
+        self._thread.join(10.0)  # it may just be reading the network
         self.session.close()
+
+    def hear(self, topic: Topic) -> None:
+        """Have something drawn soon."""
+        with self._lock:
+            self._topics.add(topic)
+        self._has_changed.set()
+
+    def select(self, name: str) -> None:
+        """Choose the object that the panels are about."""
+        if self.session.problem and name in self.session.problem.object_names and name != self.selected:
+            self.selected = name
+            self.hear("scene")
+
+    @property
+    def item(self) -> SceneObject | None:
+        """The object that the panels are about, if there is any."""
+        problem = self.session.problem
+        if problem is None:
+            return None
+        if self.selected not in problem.object_names:
+            self.selected = problem.object_names[0]
+        return problem.object_named(self.selected)
+
+    def set_dark(self, is_dark: bool) -> None:
+        """Show the page dark or light."""
+        self.server.gui.configure_theme(
+            dark_mode=is_dark, show_logo=False, show_share_button=False, control_width="large"
+        )
+        colour = _DARK if is_dark else _LIGHT
+        self.server.scene.set_background_image(np.full((2, 2, 3), colour, dtype=np.uint8))
 
     def _grabbed(self, kind: str, name: str) -> Any:
         """Return what hears of drags of an object or its goal; in order, since it is a coroutine."""
@@ -85,18 +104,17 @@ class Page(Board):
             if event.phase == "start":
                 centre = self.session.ghosts().get(name) if kind == "goal" else self._centre(problem, name)
                 if centre is not None:
-                    self._grabs[key] = Grab(eye, event.start_position, centre)
-                    self._before[name] = problem
+                    self._grabs[key] = Grab(eye, event.start_position, centre), problem
                 self.select(name)
             is_end = event.phase == "end"
-            at = self._grabs[key].to(event.end_position) if key in self._grabs else None
+            grab, before = self._grabs.get(key, (None, None))
+            at = grab.to(event.end_position) if grab else None
             if at is not None and kind == "goal":
                 self.session.aim(name, *at)
-            elif at is not None and (is_end or not self.session.running.is_active):
+            elif at is not None and (is_end or not self.session.is_running):
                 self.session.move(name, *at)
             if is_end:
                 self._grabs.pop(key, None)
-                before = self._before.pop(name, None)
                 if kind == "goal":
                     self.session.drop_goal(name, before)
 
@@ -105,8 +123,8 @@ class Page(Board):
     def _centre(self, problem: Problem, name: str) -> Vector:
         """Return where an object stands now [m], during a run, too."""
         running = self.session.running
-        if running.rest is not None and running.is_active:
-            return vector(running.rest.positions[problem.object_names.index(name)])
+        if running.moment and running.is_active:
+            return vector(running.moment.scene.positions[problem.object_names.index(name)])
         return problem.object_named(name).position
 
     def _draw_all(self) -> None:
@@ -119,6 +137,8 @@ class Page(Board):
             try:
                 with self.server.atomic():
                     self._draw(topics)
+                    for panel in self.panels:
+                        panel.refresh(topics)
             except Exception as error:  # the page goes on, whatever one drawing of it does
                 self.session.say(f"The page could not be drawn: {type(error).__name__}", is_bad=True)
             time.sleep(max(0.0, 1 / _MOST_OFTEN - (time.monotonic() - began)))
@@ -133,18 +153,17 @@ class Page(Board):
         if "run" in topics and running.scene is not None and running.is_active:
             self._show_scene(running.scene)
         if "pose" in topics and running.seen:
-            self._show_seen(running.seen[-1])
+            self.drawn += 1
+            self.view.show(running.seen.pose)
         if "step" in topics:
             self._show_rest()
-        for panel in self.panels:
-            panel.refresh(topics)
 
     def _show_problem(self, problem: Problem) -> None:
         """Draw the table as it is set; after a run, as the run left it."""
-        self._rested = None
+        self._rested, running = None, self.session.running
         self.view.show_problem(problem, self.session.ghosts(), self.session.complaints())
-        if self.session.running.seen and self.session.running.problem is problem:
-            self._show_seen(self.session.running.seen[-1])
+        if running.seen and running.problem is problem:
+            self.view.show(running.seen.pose)
         else:
             self.view.rest()
             self._show_rest()
@@ -152,54 +171,77 @@ class Page(Board):
     def _show_scene(self, scene: Scene) -> None:
         """Draw the objects of a scene that is not the page's own."""
         symbols = self.session.library.categorise(scene.features)
+        rows = zip(symbols, scene.features, scene.positions, strict=True)
         items = tuple(
             SceneObject(f"thing-{number}", symbol, tuple(features.tolist()), vector(position))
-            for number, (symbol, features, position) in enumerate(
-                zip(symbols, scene.features, scene.positions, strict=True), start=1
-            )
+            for number, (symbol, features, position) in enumerate(rows, start=1)
         )
         self.view.show_problem(Problem("scene", items, {}), {})
         self.view.show_bodies(scene.positions, scene.orientations)
 
-    def _show_seen(self, seen: Seen) -> None:
-        self.drawn += 1
-        self.view.show(seen.pose)
-
     def _show_rest(self) -> None:
         """Put objects where they are between two steps, as after a nudge."""
-        rest = self.session.running.rest
-        if rest is not None and rest is not self._rested:
-            self.view.show_bodies(rest.positions, rest.orientations)
-            self._rested = rest
+        moment = self.session.running.moment
+        if moment and moment.scene is not self._rested:
+            self._rested = moment.scene
+            self.view.show_bodies(moment.scene.positions, moment.scene.orientations)
 
 
-class AboutPanel(Panel):
-    """What stands above the tabs: what the page says of itself, and what is wrong on the table."""
+class Panel(ABC):
+    """A part of the page beside the table."""
 
+    def __init__(self, page: Page):
+        self.page, self.session = page, page.session
+        self.gui: viser.GuiApi = page.server.gui
+        self.build()
+
+    @abstractmethod
     def build(self) -> None:
-        """Make it."""
-        self._said = self.gui.add_html("")
-        self.gui.add_checkbox("Dark", False).on_update(by_user(self.page.set_dark))
+        """Make the fields and buttons."""
 
+    @abstractmethod
     def refresh(self, topics: set[Topic]) -> None:
-        """Say it anew."""
-        if topics - {"pose"}:
-            set_content(self._said, self.text())
+        """Show what has changed."""
 
-    def text(self) -> str:
-        """Return what is said, as HTML."""
-        session = self.session
-        word, library = session.word, session.library
-        name = session.problem.name if session.problem else "no object yet"
-        lines = [paragraph(f"<b>{safe(library.name)}</b> · {safe(name)}")]
-        if word.text:
-            said = coloured(word.text, BAD if word.is_bad else GOOD)
-            lines.append(f'<div role="status" aria-live="polite">{paragraph(said)}</div>')
-        else:
-            lines.append(paragraph("New here? The panel Tour shows in six cards what this robot learned."))
-        for place, what in ((session.place, "plan"), (session.running.place, "run")):
-            if place:
-                lines.append(paragraph(safe(f"waiting in line: {counted(place, what)} with this one")))
-        lines += [paragraph(coloured(why, BAD)) for why in session.complaints().values()]
-        lines += [paragraph(coloured(f"damaged: {one}", BAD)) for one in library.damage]
-        return "".join(lines)
+    def button(self, label: str, act: Callable[[], object], **options: Any) -> viser.GuiButtonHandle:
+        """Add a button that does something."""
+        made = self.gui.add_button(label, **options)
+
+        @made.on_click
+        def clicked(_: Any) -> None:
+            act()
+
+        return made
+
+
+def heard(field: _Field, act: Callable[[Any], None]) -> _Field:
+    """Have something done with a field's value when a user changed it, and not when the page did."""
+
+    def changed(event: Any) -> None:
+        if event.client is not None:
+            act(event.target.value)
+
+    field.on_update(changed)
+    return field
+
+
+def set_value(field: Any, value: Any) -> None:
+    """Change a field, unless it has that value already."""
+    if field.value != value:
+        field.value = value
+
+
+def set_content(field: Any, content: str) -> None:
+    """Change what is said, unless it is said already; it keeps from the edges, and scrolls if too wide."""
+    if content:
+        content = f'<div style="padding:0 12px;overflow-x:auto">{content}</div>'
+    if field.content != content:
+        field.content = content
+
+
+def set_options(field: Any, options: tuple[str, ...], value: str) -> None:
+    """Change what can be chosen, and what is."""
+    if field.options != options:
+        field.options = options
+    if value in options:
+        set_value(field, value)

@@ -1,6 +1,5 @@
-"""The panels `Table` (the objects and their goals), `Symbols` (what can be done to one) and `Plan`."""
+"""The panels of a page: its head, `Table`, `Plan`, `Run` and `Symbols`; the panel `Tour` is in `tour`."""
 
-from functools import partial
 from typing import Any, get_args
 
 import msgspec
@@ -8,36 +7,57 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.choices import DrawnTask, TaskKind
-from neurosym.pddl.compiler import encoding_named
+from neurosym.contract import limits_of
+from neurosym.errors import counted
+from neurosym.pddl.strips import page
 from neurosym.pddl.strips_plan import action_for
-from neurosym.pddl.syntax import STRIPS
 from neurosym.planners.planner import PlanStatus
-from neurosym.problems import Problem, RelationGoal, SceneObject
-from neurosym.report.symbol_words import displacement_in_words
-from neurosym.studio.desk import MOST_OBJECTS, Promise, Topic, promises_for, rehearsal_dots
+from neurosym.problems import Problem, RelationGoal
+from neurosym.report.symbols import Promise, displacement_in_words, promises_for
+from neurosym.studio import words
+from neurosym.studio.desk import MOST_OBJECTS, Topic
 from neurosym.studio.messages import Planned
-from neurosym.studio.panel import Panel, by_user, set_content, set_options, set_value
-from neurosym.studio.session import planners_here, usual_planner
-from neurosym.studio.view import COLOURS, related_names
-from neurosym.studio.words import (
-    DIM,
-    bits_row,
-    coloured,
-    paragraph,
-    plan_summary,
-    plan_table,
-    preformatted,
-    relation_list,
-    safe,
-    table,
-)
+from neurosym.studio.page import Panel, heard, set_content, set_options, set_value
+from neurosym.studio.session import planners_here
+from neurosym.studio.view import COLOURS
 from neurosym.tasks.transition import PlanStep, validate
 
-_PAPER = "as in the paper"
-"""The kind of tasks that is drawn unless one is named."""
+NOTHING = "(none)"
+_PDDL = "font-size:11px;line-height:1.35;white-space:pre-wrap;max-height:260px;overflow:auto;margin:4px 0"
+
+
+class AboutPanel(Panel):
+    """What stands above the tabs: what the page says of itself, and what is wrong on the table."""
+
+    def build(self) -> None:
+        """Make it."""
+        self._said = self.gui.add_html("")
+        heard(self.gui.add_checkbox("Dark", False), self.page.set_dark)
+
+    def refresh(self, topics: set[Topic]) -> None:
+        """Say it anew."""
+        if not topics - {"pose"}:
+            return
+        session, word = self.session, self.session.word
+        name = session.problem.name if session.problem else "no object yet"
+        lines = [words.paragraph(f"· {name}", head=session.library.name)]
+        if word.text:
+            said = words.paragraph(word.text, words.BAD if word.is_bad else words.GOOD)
+            lines.append(f'<div role="status" aria-live="polite">{said}</div>')
+        else:
+            lines.append(
+                words.paragraph("New here? The panel Tour shows in six cards what this robot learned.")
+            )
+        for ticket, what in ((session.planning, "plan"), (session.running.ticket, "run")):
+            if ticket and (place := ticket.place):
+                lines.append(words.paragraph(f"waiting in line: {counted(place, what)} with this one"))
+        wrong = [*session.complaints().values(), *(f"damaged: {one}" for one in session.library.damage)]
+        set_content(self._said, "".join([*lines, *(words.paragraph(why, words.BAD) for why in wrong)]))
+
+
+_PAPER = "as in the paper"  # the kind of tasks that is drawn unless one is named
 _TYPES = {0.0: "solid", 1.0: "open at the top", 2.0: "open at both ends"}
 """What the types of objects are called."""
-NOTHING = "(none)"
 
 
 class TablePanel(Panel):
@@ -47,15 +67,15 @@ class TablePanel(Panel):
         """Make the fields."""
         session, gui = self.session, self.gui
         self._choices: dict[str, RelationGoal] = {}
-        names = session.library.problem_names() or (NOTHING,)
+        names = session.library.folder.problem_names() or (NOTHING,)
         self._problem = gui.add_dropdown("Problem", names, hint="Puts a problem of the domain on the table.")
-        self._problem.on_update(by_user(self._load))
+        heard(self._problem, self._load)
         self._object = gui.add_dropdown("Object", (NOTHING,), hint="Whom the fields below are about.")
-        self._object.on_update(by_user(self.page.select))
+        heard(self._object, self.page.select)
         self._at = gui.add_vector2("Stands at x, y", (0.0, 0.0), step=0.005, hint="In metres.")
-        self._at.on_update(by_user(lambda at: session.move(self.page.selected, *map(float, at))))
+        heard(self._at, lambda at: session.move(self.page.selected, *map(float, at)))
         self._goal = gui.add_vector3("Goal x, y, z", (0.0, 0.0, 0.0), step=0.005, hint="In metres.")
-        self._goal.on_update(by_user(self._aim))
+        heard(self._goal, self._aim)
         self._toggle = self.button("Give it a goal", self._toggle_goal)
         has_relations = session.library.grounding.relations is not None
         self._relation = gui.add_dropdown(
@@ -64,7 +84,7 @@ class TablePanel(Panel):
             hint="The state that it shall come to with another object, as by dropping its ghost there.",
             visible=has_relations,
         )
-        self._relation.on_update(by_user(self._relate))
+        heard(self._relation, self._relate)
         self._related = gui.add_html("")
         self._build_sizes()
         self.button("Add another like it", self._add)
@@ -77,64 +97,63 @@ class TablePanel(Panel):
             self.button("Draw", self._draw)
         with gui.add_folder("Save and open", expand_by_default=False):
             self._tolerance = gui.add_number("Tolerance [mm]", 50.0, min=1.0, max=500.0, step=1.0)
-            self._tolerance.on_update(by_user(lambda value: session.set_tolerance(float(value) / 1000)))
-            self._name = gui.add_text("Name", "scene")
-            self._name.on_update(by_user(session.rename))
+            heard(self._tolerance, lambda value: session.set_tolerance(float(value) / 1000))
+            self._name = heard(gui.add_text("Name", "scene"), session.rename)
             self.button("Save in the domain folder", session.save, disabled=session.library.is_shipped)
             upload = gui.add_upload_button("Open a scene file", mime_type="application/json")
             upload.on_upload(lambda event: session.open_file(event.target.value.content))
             gui.add_button("Take the scene as a file").on_click(self._take)
 
     def _build_sizes(self) -> None:
-        library = self.session.library
-        limits, names = library.limits, library.world.feature_names
-        self._sizes: list[Any] = []
+        world = self.session.library.world
+        limits, self._sizes = limits_of(world), list[Any]()
         with self.gui.add_folder("What it is"):
-            for name, (low, high) in zip(names, limits.sizes if limits else (), strict=False):
-                lows, highs = round(1000 * low), round(1000 * high)
-                slider = self.gui.add_slider(
-                    f"{name} [mm]", lows, highs, 1, lows, hint="A size of the object."
-                )
-                slider.on_update(by_user(lambda _: self._resize()))
+            for name, bounds in zip(world.feature_names, limits.sizes if limits else (), strict=False):
+                low, high = (round(1000 * bound) for bound in bounds)
+                slider = self.gui.add_slider(f"{name} [mm]", low, high, 1, low, hint="A size of the object.")
+                heard(slider, self._resize)
                 self._sizes.append(slider)
             types = tuple(_TYPES.get(kind, f"{kind:g}") for kind in (limits.types if limits else (0.0,)))
-            self._type = self.gui.add_dropdown("type", types)
-            self._type.on_update(by_user(lambda _: self._resize()))
+            self._type = heard(self.gui.add_dropdown("type", types), self._resize)
             self._bits = self.gui.add_html("")
 
     def refresh(self, topics: set[Topic]) -> None:
         """Show the object that was chosen, and the problem."""
-        problem, item = self.session.problem, self.page.item
+        session, problem, item = self.session, self.session.problem, self.page.item
         if problem is None or item is None or not topics & {"scene", "place", "status"}:
             return
         set_options(self._object, problem.object_names, item.name)
         if topics & {"scene", "status"}:  # the folder is not looked through while something is dragged
-            names = self.session.library.problem_names()
-            others = () if problem.name in names else (problem.name,)
-            set_options(self._problem, (*others, *names), problem.name)
+            names = session.library.folder.problem_names()
+            set_options(self._problem, tuple(dict.fromkeys((*names, problem.name))), problem.name)
         set_value(self._at, (round(item.position[0], 3), round(item.position[1], 3)))
         goal = problem.goals.get(item.name)
         if goal is not None:
             set_value(self._goal, tuple(round(part, 3) for part in goal))
         self._goal.disabled = goal is None
-        has_goal = goal is not None or item.name in related_names(problem)
-        self._toggle.label = "Take its goal away" if has_goal else "Give it a goal"
-        self._show_relations(problem, item.name)
+        self._toggle.label = "Take its goal away" if self._has_goal(problem) else "Give it a goal"
+        asked = next((goal for goal in problem.related if goal[0] == item.name), None)
+        goals = (*session.goals_for(item.name), *filter(None, [asked]))
+        self._choices = {f"{state} {reference}": goal for goal in goals for _, reference, state in [goal]}
+        set_options(self._relation, (NOTHING, *self._choices), f"{asked[2]} {asked[1]}" if asked else NOTHING)
+        set_content(
+            self._related, words.bullets(f"Goal: {one} {state} {on}" for one, on, state in problem.related)
+        )
         set_value(self._name, problem.name)
         set_value(self._tolerance, round(1000 * problem.tolerance, 3))
         if "scene" in topics:
             for slider, size in zip(self._sizes, item.features, strict=False):
                 set_value(slider, round(1000 * size))
-            kind = item.features[len(self._sizes)] if len(item.features) > len(self._sizes) else 0.0
+            kind = next(iter(item.features[len(self._sizes) :]), 0.0)
             set_value(self._type, _TYPES.get(kind, f"{kind:g}"))
-            set_content(self._bits, self.text_of(item))
+            name = session.library.grounding.category(item.category).name
+            head = words.paragraph(name, head=item.category)
+            set_content(
+                self._bits, head + words.bits_row(item.category, session.library.margins(item.features))
+            )
 
-    def text_of(self, item: SceneObject) -> str:
-        """Return the bits of an object, as HTML."""
-        library = self.session.library
-        name = library.grounding.category(item.category).name
-        bits = bits_row(item.category, library.margins(item.features))
-        return paragraph(f"<b>{safe(item.category)}</b> {safe(name)}") + bits
+    def _has_goal(self, problem: Problem) -> bool:
+        return self.page.selected in (*problem.goals, *(name for name, *_ in problem.related))
 
     def _take(self, event: Any) -> None:
         if (problem := self.session.problem) is not None and event.client is not None:
@@ -142,7 +161,7 @@ class TablePanel(Panel):
             event.client.send_file_download(f"{problem.name}.scene.json", content, save_immediately=True)
 
     def _load(self, name: str) -> None:
-        if name in self.session.library.problem_names():
+        if name in self.session.library.folder.problem_names():
             self.session.load(name)
 
     def _aim(self, goal: tuple[float, float, float]) -> None:
@@ -150,34 +169,23 @@ class TablePanel(Panel):
             self.session.aim(self.page.selected, *map(float, goal))
 
     def _toggle_goal(self) -> None:
-        problem, name = self.session.problem, self.page.selected
-        if problem is not None:
-            has_goal = name in problem.goals or name in related_names(problem)
-            act = self.session.remove_goal if has_goal else self.session.add_goal
-            act(name)
-
-    def _show_relations(self, problem: Problem, name: str) -> None:
-        """Offer the goals by relation that the object can have, and list those of all objects."""
-        asked = next((goal for goal in problem.related if goal[0] == name), None)
-        found = {_choice_of(goal): goal for goal in (*self.session.goals_for(name), *filter(None, [asked]))}
-        self._choices = found
-        set_options(self._relation, (NOTHING, *found), _choice_of(asked) if asked else NOTHING)
-        set_content(self._related, relation_list(problem.related))
+        if problem := self.session.problem:
+            act = self.session.remove_goal if self._has_goal(problem) else self.session.add_goal
+            act(self.page.selected)
 
     def _relate(self, choice: str) -> None:
         problem, name = self.session.problem, self.page.selected
         if choice in self._choices:
             self.session.relate(*self._choices[choice])
-        elif problem is not None and name in related_names(problem):
+        elif problem is not None and any(goal[0] == name for goal in problem.related):
             self.session.remove_goal(name)
 
     def _features(self) -> tuple[float, ...]:
         kinds = {label: kind for kind, label in _TYPES.items()}
-        sizes = tuple(float(slider.value) / 1000 for slider in self._sizes)
-        chosen = self._type.value
+        sizes, chosen = (float(slider.value) / 1000 for slider in self._sizes), self._type.value
         return (*sizes, kinds[chosen] if chosen in kinds else float(chosen))
 
-    def _resize(self) -> None:
+    def _resize(self, _: Any) -> None:
         if self.page.item is not None:
             self.session.resize(self.page.selected, self._features())
 
@@ -192,149 +200,6 @@ class TablePanel(Panel):
         set_value(self._seed, int(self._seed.value) + 1)
 
 
-def _choice_of(goal: RelationGoal) -> str:
-    """Return what a goal by relation is called among the choices for its object: `rests-on-001 item-02`."""
-    _, reference, state = goal
-    return f"{state} {reference}"
-
-
-_NONE = "(none)"
-_OVER = 0.05  # how far above its object an arrow begins, so that nothing hides it [m]
-
-
-class SymbolsPanel(Panel):
-    """Bits are on the panel `Table`, beside the sizes that decide them; here is what they lead to."""
-
-    def build(self) -> None:
-        """Make the fields."""
-        gui = self.gui
-        self._promises: tuple[Promise, ...] = ()
-        self._action: Float[np.ndarray, "A"] = np.zeros(0)
-        self._arrows = gui.add_checkbox("Arrows: where operators take it", False)
-        self._arrows.on_update(by_user(lambda _: self._show_arrows()))
-        self._operator = gui.add_dropdown("Operator", (_NONE,), hint="Shows its waypoints and rehearsals.")
-        self._operator.on_update(by_user(self._choose))
-        self._said = gui.add_html("")
-        with gui.add_folder("Its waypoints", expand_by_default=True):
-            self._points = [
-                gui.add_vector3(f"Waypoint {number}", (0.0, 0.0, 0.0), step=0.005, visible=False)
-                for number in (1, 2, 3)
-            ]
-            for number, field in enumerate(self._points):
-                field.on_update(by_user(partial(self._moved, number)))
-            self._expected = gui.add_html("")
-            self._try = self.button("Try this motion", self.perform, visible=False)
-        with gui.add_folder("All that was explored", expand_by_default=False):
-            self._row = gui.add_number("Interaction", 0, min=0, step=1)
-            self.button("See it happen", lambda: self.session.running.recall(int(self._row.value)))
-        self._table = gui.add_html("")
-
-    def refresh(self, topics: set[Topic]) -> None:
-        """Show what operators do to the object that is chosen."""
-        item = self.page.item
-        if item is None or not topics & {"scene", "place"} or self.session.running.is_active:
-            return
-        if "scene" in topics:
-            self._promises = promises_for(item, self.session.library)
-            names = (_NONE, *(one.operator.name for one in self._promises))
-            if self._operator.options != names:
-                set_options(self._operator, names, _NONE)
-                self._choose(_NONE)
-            set_content(self._table, self.text())
-        self._show_arrows()
-        if self._operator.value != _NONE:
-            self._draw_motion()
-
-    def text(self) -> str:
-        """Return what the operators promise for the object, as HTML."""
-        rows = [
-            (
-                str(number),
-                f"{safe(one.operator.name)}<br>{coloured(displacement_in_words(one.effect), DIM)}",
-                f"<code>{safe(one.operator.primitive)}</code>",
-                f"{one.chance:.0%}",
-            )
-            for number, one in enumerate(self._promises, start=1)
-        ]
-        head = paragraph(safe(f"What can be done to {self.page.selected}:")) if rows else ""
-        return head + (table(("", "operator", "bits", "chance"), rows, label="operators") if rows else "")
-
-    def perform(self) -> None:
-        """Try the motion as it is drawn."""
-        self.session.running.perform(self.page.selected, tuple(map(float, self._action)))
-
-    def _show_arrows(self) -> None:
-        item = self.page.item
-        if not self._arrows.value or item is None:
-            self.page.overlays.clear("arrows")
-            return
-        x, y, z = item.position
-        start = (x, y, z + item.features[2] / 2 + _OVER)
-        self.page.overlays.arrows(start, [(one.effect, one.lifts) for one in self._promises])
-
-    def _choose(self, name: str) -> None:
-        """Take over the waypoints of an operator."""
-        library, item = self.session.library, self.page.item
-        promise = next((one for one in self._promises if one.operator.name == name), None)
-        for field in (*self._points, self._try):
-            field.visible = promise is not None and item is not None
-        if promise is None or item is None:
-            for layer in ("waypoints", "rehearsals"):
-                self.page.overlays.clear(layer)
-            for said in (self._said, self._expected):
-                set_content(said, "")
-            return
-        self._action = np.array(library.grounding.primitive_of(promise.operator).action)
-        points, colours = rehearsal_dots(promise.operator, item.position, library)
-        self.page.overlays.dots(points, colours, "rehearsals")
-        kept = f"{len(points)} rehearsals as dots: green as promised, red otherwise" if len(points) else ""
-        bits = f"{item.category} · {promise.operator.primitive}"
-        moves = displacement_in_words(promise.effect)
-        set_content(self._said, paragraph(f"<code>{safe(bits)}</code>", safe(f"promises {moves}. {kept}")))
-        self._draw_motion(anew=True)
-
-    def _is_hand(self) -> bool:
-        return len(self._action) == 12
-
-    def _draw_motion(self, *, anew: bool = False) -> None:
-        """Draw the waypoints, and say what the network expects of them."""
-        item = self.page.item
-        if item is None or not self._is_hand():
-            return
-        points = self._action.reshape(3, 4)[:, :3]
-        for field, point in zip(self._points, points.tolist(), strict=True):
-            set_value(field, tuple(round(part, 4) for part in point))
-        drawn = points + np.array(item.position)
-        if anew:
-            self.page.overlays.waypoints(drawn, self._dragged)
-        else:
-            self.page.overlays.follow(drawn)
-        said = ""
-        if expected := self.session.library.expect(item.features, self._action):
-            symbol, bits, direct = expected[0], *map(displacement_in_words, expected[1:])
-            told = f"This motion has the symbol {symbol}. By the bits the network expects: {bits}."
-            said = paragraph(safe(told), coloured(f"Before the bits: {direct}.", DIM))
-        set_content(self._expected, said)
-
-    def _dragged(self, number: int, at: tuple[float, float, float]) -> None:
-        item = self.page.item
-        if item is not None:
-            self._moved(number, tuple(np.subtract(at, item.position).tolist()))
-
-    def _moved(self, number: int, at: tuple[float, ...]) -> None:
-        """Put a waypoint somewhere relative to the object [m], inside the box of actions."""
-        if not self._is_hand():
-            return
-        box, columns = self.session.library.world.action_box, slice(4 * number, 4 * number + 3)
-        action = self._action.copy()
-        action[columns] = np.clip(at, box.low[columns], box.high[columns])
-        self._action = action
-        self._draw_motion()
-
-
-_NOBODY = "(nobody)"
-
-
 class PlanPanel(Panel):
     """Asks planners, and shows what they found."""
 
@@ -342,73 +207,59 @@ class PlanPanel(Panel):
         """Make the fields."""
         gui, session = self.gui, self.session
         self._drawn: Planned | None = None
-        self._planner = gui.add_dropdown("Planner", planners_here(), initial_value=usual_planner())
+        self._planner = gui.add_dropdown("Planner", planners_here())
         self._go = self.button("Plan", lambda: session.plan(self._planner.value), color="green")
         self._stop = self.button("Stop planning", session.stop_planning, disabled=True)
         self._text = gui.add_html("")
-        self._choose = gui.add_dropdown("Show and run", (_NOBODY,), visible=False)
-        self._choose.on_update(by_user(session.choose))
+        self._choose = heard(gui.add_dropdown("Show and run", (NOTHING,), visible=False), session.choose)
         self._accept = self.button(
             "Accept the nearest goals", session.accept_nearest, visible=False, color="orange"
         )
         with gui.add_folder("PDDL of the step at hand", expand_by_default=False):
-            self._step = gui.add_slider("Step", 1, 2, 1, 1)
-            self._step.on_update(by_user(lambda _: self._show_pddl()))
+            self._step = heard(gui.add_slider("Step", 1, 2, 1, 1), lambda _: self._show_pddl())
             self._pddl = gui.add_html("")
 
     def refresh(self, topics: set[Topic]) -> None:
         """Show the plans."""
-        session = self.session
+        session, chosen = self.session, self.session.plan_shown
         if topics & {"status", "plan"}:
-            self._go.disabled = session.is_planning or session.running.is_active
-            self._stop.disabled = not session.is_planning
-        if topics & {"plan", "scene", "step", "run"}:
-            set_content(self._text, self.text())
+            self._go.disabled = bool(session.planning) or session.is_running
+            self._stop.disabled = not session.planning
         if topics & {"plan", "scene"}:
-            self._show_choice()
+            self._choose.visible = len(session.plans) > 1
+            if session.plans:
+                set_options(self._choose, tuple(session.plans), session.chosen)
+            self._accept.visible = chosen is not None and chosen.record.status is PlanStatus.NEAREST
+            steps = len(chosen.record.steps) if chosen else 0
+            self._step.max, self._step.disabled = max(2, steps), steps < 2
             self._show_pddl()
         if topics & {"plan", "scene", "step", "run"}:
+            set_content(self._text, self.text())
             self._draw_paths()
 
     def text(self) -> str:
         """Return what the planners found, as HTML; the chosen plan in full."""
         session = self.session
-        problem, grounding = session.problem, session.library.grounding
+        problem, moment, chosen = session.problem, session.running.moment, session.plan_shown
         if problem is None or not session.plans:
             return ""
-        parts = [plan_summary(one.record) for one in session.plans.values()]
-        chosen = session.plan_shown
+        parts = [words.plan_summary(one.record) for one in session.plans.values()]
         if chosen is not None and chosen.record.steps:
-            number = session.running.number
-            at = number - 1 if session.running.is_active and not session.running.replannings else None
-            parts.append(plan_table(chosen.record, session.paired(), grounding, at))
+            follows = session.is_running and not session.running.replannings
+            at = moment.number - 1 if moment and follows else None
+            parts.append(words.plan_table(chosen.record, session.paired(), session.library.grounding, at))
         return "".join(parts)
 
-    def _show_choice(self) -> None:
-        session = self.session
-        self._choose.visible = len(session.plans) > 1
-        if session.plans:
-            set_options(self._choose, tuple(session.plans), session.chosen)
-        chosen = session.plan_shown
-        self._accept.visible = chosen is not None and chosen.record.status is PlanStatus.NEAREST
-        steps = len(chosen.record.steps) if chosen else 0
-        self._step.max = max(2, steps)
-        self._step.disabled = steps < 2
-
     def _show_pddl(self) -> None:
-        chosen = self.session.plan_shown
-        if chosen is None or not chosen.record.steps:
-            set_content(self._pddl, "")
-            return
-        number = min(int(self._step.value), len(chosen.record.steps))
-        name = chosen.record.steps[number - 1][0]
-        set_content(self._pddl, preformatted(self._action(name)))
-
-    def _action(self, name: str) -> str:
-        """Return the text of the action on the page of PDDL that a step is an instance of."""
-        grounding = self.session.library.grounding
-        page = encoding_named(STRIPS).domain(grounding)
-        return page.action(action_for(name, grounding)).text(costs=True)
+        """Show the action on the page of PDDL that a step is an instance of."""
+        chosen, grounding = self.session.plan_shown, self.session.library.grounding
+        said = ""
+        if chosen is not None and (steps := chosen.record.steps):
+            name = steps[min(int(self._step.value), len(steps)) - 1][0]
+            action = page(grounding).action(action_for(name, grounding))
+            text = words.safe(action.text(costs=True))
+            said = f'<pre tabindex="0" aria-label="PDDL" style="{_PDDL}">{text}</pre>'
+        set_content(self._pddl, said)
 
     def _draw_paths(self) -> None:
         """Draw where the plan takes everything, while that is what is done or is to be done."""
@@ -425,3 +276,185 @@ class PlanPanel(Panel):
         steps = [PlanStep(*step) for step in chosen.record.steps]
         found = validate(steps, session.paired(), session.library.grounding)
         self.page.overlays.paths(found.positions, COLOURS)
+
+
+_SPEEDS = {"half": 0.5, "as it is": 1.0, "double": 2.0, "fourfold": 4.0, "at once": 0.0}
+"""How fast a run is shown; 0 is as fast as it is computed."""
+
+
+class RunPanel(Panel):
+    """Runs the plan that is shown, or a record."""
+
+    def build(self) -> None:
+        """Make the buttons."""
+        gui, running = self.gui, self.session.running
+        self._go = self.button("Run", self._run, color="green")
+        self._pause = self.button("Pause", self._toggle, disabled=True)
+        self._step = self.button(
+            "One step",
+            lambda: running.steer(is_paused=True, one_step=True),
+            hint="Goes on to the end of one step.",
+        )
+        self._stop = self.button("Stop", running.stop, disabled=True, color="red")
+        heard(
+            gui.add_dropdown("Speed", tuple(_SPEEDS), initial_value="as it is"),
+            lambda name: running.steer(speed=_SPEEDS[name]),
+        )
+        self._anew = gui.add_checkbox(
+            "Plan anew on the way", True, hint="Off: the plan is followed blindly to its end."
+        )
+        self._text = gui.add_html("")
+        with gui.add_folder("Watch a run again", expand_by_default=False):
+            record = gui.add_dropdown("Record", self.session.library.run_names() or (NOTHING,))
+            self.button("Replay", lambda: running.replay(record.value))
+
+    def refresh(self, topics: set[Topic]) -> None:
+        """Show how the run stands."""
+        if not topics & {"run", "step", "status", "plan", "scene"}:
+            return
+        running, planned = self.session.running, self.session.plan_shown
+        self._go.disabled = running.is_active or planned is None or not planned.plan_file
+        self._pause.disabled = self._stop.disabled = self._step.disabled = not running.is_active
+        self._pause.label = "Go on" if running.controls.is_paused else "Pause"
+        set_content(self._text, self.text())
+
+    def text(self) -> str:
+        """Return what was promised and what happened, as HTML."""
+        running, moment = self.session.running, self.session.running.moment
+        parts = [words.replanning_list(running.replannings)]
+        if running.run is not None:
+            parts.insert(0, words.run_summary(running.run))
+        elif running.is_active and moment and moment.left:
+            step = moment.left[0]
+            told = " ".join(filter(None, (step.operator, step.object, step.place)))
+            parts.insert(0, words.paragraph(f"step {moment.number}: {told}"))
+        if running.records:
+            parts.append(words.run_table(running.records))
+        return "".join(parts)
+
+    def _run(self) -> None:
+        self.session.running.begin(replans=None if self._anew.value else 0)
+
+    def _toggle(self) -> None:
+        self.session.running.steer(is_paused=not self.session.running.controls.is_paused)
+
+
+_OVER = 0.05  # how far above its object an arrow begins, so that nothing hides it [m]
+_KEPT, _OTHERWISE = (42, 157, 92), (217, 83, 79)
+"""Colours of rehearsals that ended as promised, and otherwise."""
+
+
+class SymbolsPanel(Panel):
+    """Bits are on the panel `Table`, beside the sizes that decide them; here is what they lead to."""
+
+    def build(self) -> None:
+        """Make the fields."""
+        gui = self.gui
+        self._promises: tuple[Promise, ...] = ()
+        self._action: Float[np.ndarray, "A"] = np.zeros(0)
+        self._arrows = gui.add_checkbox("Arrows: where operators take it", False)
+        heard(self._arrows, lambda _: self._show_arrows())
+        self._operator = gui.add_dropdown("Operator", (NOTHING,), hint="Shows its waypoints and rehearsals.")
+        heard(self._operator, self._choose)
+        self._said = gui.add_html("")
+        self._expected = gui.add_html("")
+        self._try = self.button("Try this motion", self.perform, visible=False)
+        with gui.add_folder("All that was explored", expand_by_default=False):
+            row = gui.add_number("Interaction", 0, min=0, step=1)
+            self.button("See it happen", lambda: self.session.running.recall(int(row.value)))
+        self._table = gui.add_html("")
+
+    def refresh(self, topics: set[Topic]) -> None:
+        """Show what operators do to the object that is chosen."""
+        item = self.page.item
+        if item is None or not topics & {"scene", "place"} or self.session.is_running:
+            return
+        if "scene" in topics:
+            self._promises = promises_for(item, self.session.library.grounding)
+            names = (NOTHING, *(one.operator.name for one in self._promises))
+            if self._operator.options != names:
+                set_options(self._operator, names, NOTHING)
+                self._choose(NOTHING)
+            set_content(self._table, self.text())
+        self._show_arrows()
+        if self._operator.value != NOTHING:
+            self._draw_motion()
+
+    def text(self) -> str:
+        """Return what the operators promise for the object, as HTML."""
+        rows = [
+            (
+                str(number),
+                words.twofold(one.operator.name, displacement_in_words(one.effect)),
+                f"<code>{words.safe(one.operator.primitive)}</code>",
+                f"{one.chance:.0%}",
+            )
+            for number, one in enumerate(self._promises, start=1)
+        ]
+        head = words.paragraph(f"What can be done to {self.page.selected}:")
+        return head + words.table(("", "operator", "bits", "chance"), rows, label="operators") if rows else ""
+
+    def perform(self) -> None:
+        """Try the motion as it is drawn."""
+        self.session.running.perform(self.page.selected, tuple(map(float, self._action)))
+
+    def _show_arrows(self) -> None:
+        item = self.page.item
+        if not self._arrows.value or item is None:
+            self.page.overlays.clear("arrows")
+            return
+        x, y, z = item.position
+        start = (x, y, z + item.features[2] / 2 + _OVER)
+        self.page.overlays.arrows(start, [(one.effect, one.lifts) for one in self._promises])
+
+    def _choose(self, name: str) -> None:
+        """Take over the waypoints of an operator, and show as dots where its rehearsals ended."""
+        grounding, item, overlays = self.session.library.grounding, self.page.item, self.page.overlays
+        promise = next((one for one in self._promises if one.operator.name == name), None)
+        self._try.visible = promise is not None and item is not None
+        if promise is None or item is None:
+            overlays.clear("waypoints")
+            overlays.clear("dots")
+            set_content(self._said, "")
+            set_content(self._expected, "")
+            return
+        self._action = np.array(grounding.primitive_of(promise.operator).action)
+        learned = grounding.operator_named(name)
+        kind = learned.promise.kind if learned.promise else None
+        points = np.array([np.add(item.position, one.outcome) for one in learned.rehearsals])
+        colours = np.array([_KEPT if one.kind == kind else _OTHERWISE for one in learned.rehearsals])
+        overlays.dots(points, colours)
+        kept = f"{len(points)} rehearsals as dots: green as promised, red otherwise" if len(points) else ""
+        bits = f"{item.category} · {promise.operator.primitive}"
+        moves = displacement_in_words(promise.effect)
+        set_content(
+            self._said,
+            words.paragraph(f"promises {moves}. {kept}", head=bits),
+        )
+        self._draw_motion(anew=True)
+
+    def _draw_motion(self, *, anew: bool = False) -> None:
+        """Draw the waypoints of a hand, and say what the network expects of them."""
+        item = self.page.item
+        if item is None or len(self._action) != 12:
+            return
+        points = self._action.reshape(3, 4)[:, :3] + np.array(item.position)
+        if anew:
+            self.page.overlays.waypoints(points, self._dragged)
+        else:
+            self.page.overlays.follow(points)
+        said = ""
+        if expected := self.session.library.expect(item.features, self._action):
+            symbol, bits, direct = expected[0], *map(displacement_in_words, expected[1:])
+            told = f"This motion has the symbol {symbol}. By the bits the network expects: {bits}."
+            said = words.paragraph(told) + words.paragraph(f"Before the bits: {direct}.", words.DIM)
+        set_content(self._expected, said)
+
+    def _dragged(self, number: int, at: tuple[float, float, float]) -> None:
+        """Put a waypoint somewhere [m], as far as the box of actions reaches from the object."""
+        if (item := self.page.item) is not None:
+            box, columns = self.session.library.world.action_box, slice(4 * number, 4 * number + 3)
+            spot = np.subtract(at, item.position)
+            self._action = self._action.copy()
+            self._action[columns] = np.clip(spot, box.low[columns], box.high[columns])
+            self._draw_motion()

@@ -1,4 +1,7 @@
-"""Setting a scene: what a page changes of a problem, each change a function from one problem to the next."""
+"""Setting a scene: what a page changes of a problem, each change a function from one problem to the next.
+
+And what can be: which goals by relation an object can have, where ghosts stand, and what is wrong where.
+"""
 
 from collections.abc import Collection, Mapping, Sequence
 from itertools import count
@@ -17,8 +20,6 @@ from neurosym.tasks.supports import Borne, carried_along, chain_below
 from neurosym.tasks.task import Task
 from neurosym.world import Table
 
-_UPRIGHT = (0.0, 0.0, 0.0, 1.0)
-
 
 def table_height(problem: Problem, name: str) -> float:
     """Return the height of an object's centre where it stands on the table as it lies now [m]."""
@@ -28,38 +29,28 @@ def table_height(problem: Problem, name: str) -> float:
 def moved(
     problem: Problem, name: str, x: float, y: float, z: float | None = None, along: Collection[str] = ()
 ) -> Problem:
-    """Put an object elsewhere on the table; it keeps its height unless one is given, and its goal.
-
-    x, y and z are of its centre [m]; what it bears goes `along`.
-    """
+    """Put the centre of an object elsewhere [m], at the same height unless one is given; others go along."""
     old = problem.object_named(name).position
     new = _at(x, y, old[2] if z is None else z)
     spots = {one: _at(*np.add(problem.object_named(one).position, np.subtract(new, old))) for one in along}
     spots[name] = new
-    objects = tuple(
+    objects = (
         msgspec.structs.replace(one, position=spots.get(one.name, one.position)) for one in problem.objects
     )
-    return _replaced(problem, objects=objects, touching=None)
+    return _by_hand(problem, objects=tuple(objects), touching=None)
 
 
 def with_goal(problem: Problem, name: str, x: float, y: float, z: float | None = None) -> Problem:
-    """Give an object a goal on the table or above it, in the place of any other goal of it.
-
-    x, y and z are of its centre [m]. Without z it is as high as the goal it has, or else as the object lies.
-    """
+    """Give an object a goal for its centre instead [m], as high as the one it has, or else on the table."""
+    problem.object_named(name)
     known = problem.goals.get(name)
-    height = known[2] if known else table_height(problem, problem.object_named(name).name)
+    height = known[2] if known else table_height(problem, name)
     return _with_goal(problem, name, spot=_at(x, y, height if z is None else z))
 
 
-def with_relation(problem: Problem, *goal: str) -> Problem:
-    """Give an object a goal by relation, in the place of any other goal of it.
-
-    Raises:
-        InvalidValue: If the goals by relation could not all be met, as far as names tell.
-    """
-    name, reference, state = goal
-    return _with_goal(problem, name, relation=(name, reference, state))
+def with_relation(problem: Problem, goal: RelationGoal) -> Problem:
+    """Give an object a goal by relation instead; `InvalidValue` if others forbid it by their names."""
+    return _with_goal(problem, goal[0], relation=goal)
 
 
 def without_goal(problem: Problem, name: str) -> Problem:
@@ -70,53 +61,49 @@ def without_goal(problem: Problem, name: str) -> Problem:
 def resized(
     problem: Problem, name: str, features: Sequence[float], categorise: Categorise, under: float = 0.0
 ) -> Problem:
-    """Make an object another one, which rests where the first one does, and is of the category that it shows.
-
-    Sizes along x, y and z come first in its features [m]; `under` is how high it stands above the table [m].
-    """
+    """Make an object another one, which rests where the first one does, so high `under` it [m]."""
     x, y, z = problem.object_named(name).position
     changed = _resting(name, features, x, y, categorise, under)
     if (goal := problem.goals.get(name)) is not None:
         problem = with_goal(problem, name, goal[0], goal[1], goal[2] - z + changed.position[2])
     objects = tuple(changed if one.name == name else one for one in problem.objects)
-    return _with_objects(problem, objects, touching=None)
+    return _by_hand(problem, objects=objects, touching=None, pairs={}, foreseen={})
 
 
 def with_object(
     problem: Problem | None, features: Sequence[float], x: float, y: float, categorise: Categorise
 ) -> Problem:
-    """Add an object at rest; it is called `item-01` or the first such name that is free.
-
-    Sizes along x, y and z come first in its features; x and y are of its centre [m].
-    """
+    """Add an object at rest on the table [m]; it is called `item-01` or the first such name that is free."""
     taken = problem.object_names if problem else ()
     name = next(one for number in count(1) if (one := f"item-{number:02d}") not in taken)
     item = _resting(name, features, x, y, categorise)
-    return _with_objects(problem, (*problem.objects, item)) if problem else Problem("scene", (item,), {})
+    if problem is None:
+        return Problem("scene", (item,), {})
+    return _by_hand(problem, objects=(*problem.objects, item), pairs={}, foreseen={})
 
 
 def without_object(problem: Problem, name: str) -> Problem:
-    """Take an object away, its goal, and the goals of others that are about it.
-
-    Raises:
-        InvalidValue: If it is the last one.
-    """
-    left = tuple(item for item in problem.objects if item.name != problem.object_named(name).name)
-    if not left:
+    """Take an object away and all goals that are about it; `InvalidValue` if it is the last object."""
+    gone = problem.object_named(name)
+    if len(problem.objects) == 1:
         raise InvalidValue(f"{name} is the only object; add another one before it is taken away.")
-    goals = {one: goal for one, goal in problem.goals.items() if one != name}
-    related = tuple(goal for goal in problem.related if name not in goal[:2])
     seen = problem.touching
-    touching = None if seen is None else tuple(pair for pair in seen if name not in pair)
-    return _with_objects(problem, left, goals=goals, relations=related, touching=touching)
+    return _by_hand(
+        problem,
+        objects=tuple(item for item in problem.objects if item is not gone),
+        goals={one: goal for one, goal in problem.goals.items() if one != name},
+        relations=tuple(goal for goal in problem.related if name not in goal[:2]),
+        touching=None if seen is None else tuple(pair for pair in seen if name not in pair),
+        pairs={},
+        foreseen={},
+    )
 
 
 def _resting(
     name: str, features: Sequence[float], x: float, y: float, categorise: Categorise, under: float = 0.0
 ) -> SceneObject:
     category = categorise(np.array([features], dtype=float))[0]
-    position = _at(x, y, float(features[2]) / 2 + under)
-    return SceneObject(name, category, tuple(map(float, features)), position, _UPRIGHT)
+    return SceneObject(name, category, tuple(map(float, features)), _at(x, y, features[2] / 2 + under))
 
 
 def _at(x: float, y: float, z: float) -> Vector:
@@ -128,20 +115,15 @@ def _with_goal(
     problem: Problem, name: str, spot: Vector | None = None, relation: RelationGoal | None = None
 ) -> Problem:
     """Exchange the goal of one object; all stay in the order of the objects."""
-    spots = problem.goals | ({name: spot} if spot else {})
-    goals = {one: spots[one] for one in problem.object_names if one in spots and (one != name or spot)}
+    spots = {**problem.goals, name: spot}
+    goals = {one: at for one in problem.object_names if (at := spots.get(one))}
     related = [one for one in problem.related if one[0] != name] + ([relation] if relation else [])
     related.sort(key=lambda one: problem.object_names.index(one[0]))
-    return _replaced(problem, goals=goals, relations=tuple(related))
+    return _by_hand(problem, goals=goals, relations=tuple(related))
 
 
-def _with_objects(problem: Problem, objects: tuple[SceneObject, ...], **changes: object) -> Problem:
-    """Return a problem of other objects, of whose pairs nothing is known yet."""
-    return _replaced(problem, objects=objects, pairs={}, foreseen={}, **changes)
-
-
-def _replaced(problem: Problem, **changes: object) -> Problem:
-    """Return a changed problem; its places were drawn for how it was, and it is by hand now."""
+def _by_hand(problem: Problem, **changes: object) -> Problem:
+    """Return a changed problem; its places were drawn for how it was."""
     return msgspec.structs.replace(problem, provenance="by hand", places={}, **changes)
 
 
@@ -152,27 +134,19 @@ _OFF_TABLE = 0.005
 
 
 def stacks_of(task: Task) -> dict[str, Borne]:
-    """Return what bears each object that another one bears; nothing where the domain knows no relations.
-
-    An object that was dragged into another one stands on the table still, and is borne by nothing.
-    """
-    is_seen = task.problem.touching is not None
+    """Return what bears each object; what was dragged into another one stands on the table still."""
+    problem, is_seen = task.problem, task.problem.touching is not None
     return {
         name: borne
         for name, borne in task.supports.items()
-        if is_seen
-        or task.problem.object_named(name).position[2] - table_height(task.problem, name) > _OFF_TABLE
+        if is_seen or problem.object_named(name).position[2] - table_height(problem, name) > _OFF_TABLE
     }
 
 
 def _supports_of(task: Task, stacks: Mapping[str, Borne]) -> dict[str, Borne]:
-    """Return what bears each object in the end: as is asked, or as it is now where nothing is asked of it.
-
-    `stacks` is what bears each object now.
-    """
-    found = {
-        target: Borne(reference, task.state_named(state)) for target, reference, state in task.problem.related
-    }
+    """Return what bears each object in the end: as is asked, or else as it is now, in `stacks`."""
+    related = task.problem.related
+    found = {target: Borne(reference, task.state_named(state)) for target, reference, state in related}
     for name, borne in stacks.items():
         if name not in (*found, *task.problem.goals) and name not in chain_below(borne.by, found):
             found[name] = borne
@@ -180,42 +154,30 @@ def _supports_of(task: Task, stacks: Mapping[str, Borne]) -> dict[str, Borne]:
 
 
 def ghost_spots(task: Task) -> dict[str, Vector]:
-    """Return where the ghost of each object with a goal stands [m].
-
-    For a goal by relation that is where the surest operator promises to bring it.
-    """
-    problem = task.problem
+    """Return where ghosts of objects with goals stand [m], by relation as the surest operators promise."""
+    problem, scene, names = task.problem, task.problem.scene(), task.problem.object_names
     spots, asked = dict(problem.goals), {goal[0]: goal for goal in problem.related}
-    scene, names = problem.scene(), problem.object_names
 
     def spot_of(name: str) -> Vector:
         if name not in spots and name in asked:
-            _, reference, state = asked[name]
+            _, reference, state_name = asked[name]
+            state = task.state_named(state_name)
+            puts = (put for put in _surest_first(task, name, reference) if put.state == state)
+            offset = next((put.end.offset for put in puts), (0.0, 0.0, state.centre[1]))
+            # promised in sums of the half sizes of both
             halves = (extent(scene, names.index(name)) + extent(scene, names.index(reference))) / 2
-            offset = np.array(_offset(task, name, reference, state)) * halves
-            spots[name] = vector(np.add(spot_of(reference), offset))
+            spots[name] = vector(np.add(spot_of(reference), np.multiply(offset, halves)))
         return spots.get(name, problem.object_named(name).position)
 
     return {name: spot_of(name) for name in names if name in problem.goals or name in asked}
 
 
-def _offset(task: Task, target: str, reference: str, state: str) -> tuple[float, float, float]:
-    """Return where a target is promised to be, from its reference, in sums of their half sizes."""
-    asked = task.state_named(state)
-    promised = (put.end.offset for put in _surest_first(task, target, reference) if put.state == asked)
-    return next(promised, (0.0, 0.0, asked.centre[1]))
-
-
-def _surest_first(task: Task, target: str, reference: str) -> tuple[Put, ...]:
-    puts = task.puts.get((target, reference), ())
-    return tuple(sorted(puts, key=lambda put: (-put.share, put.name)))
+def _surest_first(task: Task, target: str, reference: str) -> list[Put]:
+    return sorted(task.puts.get((target, reference), ()), key=lambda put: (-put.share, put.name))
 
 
 def goals_for(task: Task, name: str, others: Sequence[str] | None = None) -> tuple[RelationGoal, ...]:
-    """List the goals by relation that an object can have besides what is asked already, the surest first.
-
-    They are about the `others` alone, in that order, if these are given.
-    """
+    """List the goals by relation that an object can have, about all `others` in turn, the surest first."""
     found, borne = list[RelationGoal](), stacks_of(task).get(name)
     for other in task.names if others is None else others:
         if other != name:
@@ -229,14 +191,14 @@ def why_no_goal(task: Task, goal: RelationGoal) -> str:
     """Say why an object cannot have a goal by relation besides what is asked already, or nothing."""
     if why := _why_not_besides(task, goal):
         return why
-    alone = with_relation(task.problem, *goal)
-    return why_no_relation(msgspec.structs.replace(alone, relations=(goal,)), task.grounding)
+    alone = msgspec.structs.replace(with_relation(task.problem, goal), relations=(goal,))
+    return why_no_relation(alone, task.grounding)
 
 
 def _why_not_besides(task: Task, goal: RelationGoal) -> str:
     """Say why the other goals forbid one, or nothing."""
     try:
-        asked = with_relation(task.problem, *goal)
+        asked = with_relation(task.problem, goal)
     except InvalidValue as error:
         return str(error).rstrip(".")
     shared = tuple(one for one in asked.related if one[1] == goal[1])
@@ -244,28 +206,20 @@ def _why_not_besides(task: Task, goal: RelationGoal) -> str:
 
 
 def under(task: Task, name: str, spots: Mapping[str, Vector]) -> tuple[str, ...]:
-    """Name the objects that a goal on the table lies over, the highest first.
-
-    `spots` is where ghosts stand [m]; of other objects it is asked where they stand themselves.
-    """
-    problem, upon = task.problem, carried_along(name, _supports_of(task, {}))
-    if name not in problem.goals:
+    """Name the objects, or ghosts in `spots` [m], that a goal on the table lies over, the highest first."""
+    if name not in task.problem.goals:
         return ()
-    at, found = np.array(problem.goals[name][:2]), []
-    for other in problem.objects:
+    at, found = np.array(task.problem.goals[name][:2]), []
+    upon = (name, *carried_along(name, _supports_of(task, {})))
+    for other in task.problem.objects:
         x, y, z = spots.get(other.name, other.position)
-        is_over = np.all(np.abs(at - (x, y)) < np.array(other.features[:2]) / 2)
-        if other.name not in (name, *upon) and is_over:
+        if other.name not in upon and np.all(np.abs(at - (x, y)) < np.array(other.features[:2]) / 2):
             found.append((-z, other.name))
     return tuple(other for _, other in sorted(found))
 
 
 def relation_of_drop(task: Task, name: str) -> RelationGoal | None:
-    """Return the goal by relation that is meant where a ghost was dropped; None if there is none.
-
-    It is about the highest object under the ghost that something puts it on or into, and the state that the
-    two are brought to most surely.
-    """
+    """Return the goal that is meant where a ghost was dropped: the surest on the highest object under it."""
     return next(iter(goals_for(task, name, under(task, name, ghost_spots(task)))), None)
 
 
@@ -276,34 +230,19 @@ def why_no_drop(task: Task, name: str, other: str) -> str:
     return next(filter(None, (_why_not_besides(task, goal) for goal in goals)), said)
 
 
-def why_not_related(task: Task) -> dict[str, str]:
-    """Say of each object whose goal by relation cannot be why not."""
-    if not task.problem.related or not why_no_relation(task.problem, task.grounding):
-        return {}
-    whys = {goal[0]: why_no_goal(task, goal) for goal in task.problem.related}
-    return {name: why for name, why in whys.items() if why}
-
-
 _SPOTS = 0.02  # how far apart the places are where an object is tried to be added [m]
-Kind = Literal["object", "goal"]
 
 
 def why_not_there(
     problem: Problem,
     name: str,
-    kind: Kind,
+    kind: Literal["object", "goal"],
     table: Table,
     *,
     ghosts: Mapping[str, Vector] | None = None,
     may_be_in: Collection[str] = (),
 ) -> str:
-    """Say why an object or its goal cannot be where it is, or nothing.
-
-    Two goals may not be in one place, nor a goal in an object that is to stay. A goal above the table is only
-    asked to be over it.
-
-    `ghosts` is where the ghosts of objects with goals stand [m], and `may_be_in` what it may touch.
-    """
+    """Say why an object or its goal cannot be where it is, among objects or `ghosts` [m], or nothing."""
     ghosts = {} if kind == "object" else problem.goals if ghosts is None else ghosts
     item = problem.object_named(name)
     at = np.array(item.position if kind == "object" else problem.goals[name])
@@ -311,11 +250,9 @@ def why_not_there(
     if not table.contains(at):
         return f"{called} is off the table"
     for other in problem.objects:
-        if other.name == name or other.name in may_be_in:
-            continue
-        away = np.abs(at - ghosts.get(other.name, other.position))
         room = (np.array(item.features[:3]) + other.features[:3]) / 2 - (0.0, 0.0, 1e-6)
-        if np.all(away < room):
+        is_in = np.all(np.abs(at - ghosts.get(other.name, other.position)) < room)
+        if is_in and other.name not in (name, *may_be_in):
             return f"{called} is in {f'the goal of {other.name}' if other.name in ghosts else other.name}"
     return ""
 
@@ -326,20 +263,18 @@ def complaints_about(task: Task) -> dict[str, str]:
     stacks = stacks_of(task)
     supports = _supports_of(task, stacks)
     for name in problem.object_names:
-        if why := why_not_there(problem, name, "object", table, may_be_in=_pile(name, stacks)):
+        lowest = chain_below(name, stacks)[-1]
+        pile = (lowest, *carried_along(lowest, stacks))
+        if why := why_not_there(problem, name, "object", table, may_be_in=pile):
             found[f"object {name}"] = why
         if name in problem.goals:
             upon = carried_along(name, supports)
             why = why_not_there(problem, name, "goal", table, ghosts=ghosts, may_be_in=upon)
             if why := _unless_dropped(why, task, name):
                 found[f"goal {name}"] = why
-    return found | {f"goal {name}": why for name, why in why_not_related(task).items()}
-
-
-def _pile(name: str, stacks: Mapping[str, Borne]) -> tuple[str, ...]:
-    """Name all that stands in one pile with an object, itself included."""
-    lowest = chain_below(name, stacks)[-1]
-    return lowest, *carried_along(lowest, stacks)
+    if problem.related and why_no_relation(problem, task.grounding):
+        found |= {f"goal {goal[0]}": why for goal in problem.related if (why := why_no_goal(task, goal))}
+    return found
 
 
 def _unless_dropped(why: str, task: Task, name: str) -> str:
@@ -356,11 +291,7 @@ def _unless_dropped(why: str, task: Task, name: str) -> str:
 def free_spot(
     problem: Problem | None, features: tuple[float, ...], table: Table, middle: tuple[float, float]
 ) -> tuple[float, float]:
-    """Find room for an object on the table, nearest to its middle [m].
-
-    Raises:
-        InvalidValue: If there is none.
-    """
+    """Find room for an object, nearest to the middle of the table [m]; `InvalidValue` if there is none."""
     if problem is None:
         return middle
     axes = [np.arange(low + _SPOTS, high - _SPOTS / 2, _SPOTS) for low, high in (table.x, table.y)]

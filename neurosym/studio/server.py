@@ -10,7 +10,7 @@ import hmac
 import os
 import secrets
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from html import escape
 from http import HTTPStatus
@@ -24,31 +24,23 @@ import viser
 
 from neurosym.errors import CannotStart, InvalidValue, NeurosymError, harmless
 from neurosym.problems import Problem
-from neurosym.studio.desk import Library
+from neurosym.studio.library import Library
 from neurosym.studio.page import Page
+from neurosym.studio.panels import AboutPanel, PlanPanel, RunPanel, SymbolsPanel, TablePanel
 from neurosym.studio.session import Session
 from neurosym.studio.studio_workers import Workers
+from neurosym.studio.tour import TourPanel
 
-_PAGE = "/page/"
-"""What the path of a page begins with."""
-_MOST_HEAD = 64_000
-"""Bytes of the head of a request."""
-PATIENCE = 20.0
-"""How long a head may take to come [s]."""
+_PAGE = "/page/"  # what the path of a page begins with
+_MOST_HEAD = 64_000  # bytes of the head of a request
+_PATIENCE = 20.0  # how long a head may take to come [s]
 _COOKIE, _TOKEN = "neurosym-page", "neurosym-token"
 _CHUNK = 1 << 16
+_STYLE = "font-family:sans-serif;max-width:40em;margin:4em auto;padding:0 1em"
 
 
-class Head:
-    """The head of a request.
-
-    Args:
-        raw: Its bytes, with the empty line.
-
-    Raises:
-        ValueError: If it is none.
-        HTTPException: The same, of its later lines.
-    """
+class _Head:
+    """The head of a request, from its bytes with the empty line; `ValueError` or `HTTPException` if none."""
 
     def __init__(self, raw: bytes):
         first, _, rest = raw.partition(b"\r\n")
@@ -56,23 +48,18 @@ class Head:
         self.headers = parse_headers(BytesIO(rest))
         parts = urlsplit(target)
         self.path, self.query = parts.path, parse_qs(parts.query)
+        self.is_upgrade = "websocket" in self.get("upgrade").lower()  # to a socket that stays open
 
     def get(self, name: str) -> str:
         """Return a header, or nothing."""
         return self.headers.get(name, "")
 
-    @property
-    def is_upgrade(self) -> bool:
-        """Whether a socket is asked for that stays open."""
-        return "websocket" in self.get("upgrade").lower()
-
-    @property
-    def cookies(self) -> Mapping[str, str]:
-        """The cookies."""
+    def cookie(self, name: str) -> str:
+        """Return a cookie, or nothing."""
         jar: SimpleCookie = SimpleCookie()
         with suppress(CookieError):
             jar.load(self.get("cookie"))
-        return {name: one.value for name, one in jar.items()}
+        return jar[name].value if name in jar else ""
 
     def for_page(self, path: str) -> bytes:
         """Return the head as it is passed on: one request a connection, with the path that the page knows."""
@@ -86,16 +73,9 @@ class Head:
 
 
 class Front:
-    """The door, in a thread of its own.
+    """The door, in a thread of its own; where other machines are heard, they must know its token.
 
-    Args:
-        open_page: Makes a page, and returns what it is called.
-        port_of: Says where a page of some name is served on this machine; None if there is none.
-        host: Whom it hears: 127.0.0.1 for this machine only.
-        port: Its port; 0 for a free one.
-
-    Attributes:
-        token: What must be known to come in from other machines; empty for this machine only.
+    `open_page` makes a page and names it, `port_of` says where a page of some name is served on this machine.
     """
 
     def __init__(
@@ -105,13 +85,11 @@ class Front:
         host: str = "127.0.0.1",
         port: int = 0,
     ):
-        self._open_page, self._port_of, self._host, self._wanted = open_page, port_of, host, port
+        self._open_page, self._port_of, self._host, self.port = open_page, port_of, host, port
         self.is_local = is_loopback(host)
         self.token = "" if self.is_local else secrets.token_urlsafe(16)
-        self.port = 0
         self._loop = asyncio.new_event_loop()
-        self._ready, self._error = threading.Event(), ""
-        self._thread = threading.Thread(target=self._run, daemon=True)
+        self._thread = threading.Thread(target=self._loop.run_forever, daemon=True)
 
     @property
     def address(self) -> str:
@@ -120,95 +98,88 @@ class Front:
         return f"http://{f'[{host}]' if ':' in host else host}:{self.port}"
 
     def start(self) -> None:
-        """Open the door.
-
-        Raises:
-            CannotStart: If the port is taken, or there is no such host.
-        """
+        """Open the door; `CannotStart` if the port is taken, or there is no such host."""
+        opening = asyncio.start_server(self._serve, self._host, self.port, limit=_MOST_HEAD)
+        try:
+            self._server = self._loop.run_until_complete(opening)
+        except (OSError, ValueError) as error:
+            why = error.strerror if isinstance(error, OSError) else "that is no host"
+            self._loop.close()
+            raise CannotStart(
+                "server", f"{harmless(self._host)[:100]}:{self.port}: {why or error}"
+            ) from error
+        self.port = self._server.sockets[0].getsockname()[1]
         self._thread.start()
-        self._ready.wait()
-        if self._error:
-            raise CannotStart("server", self._error)
 
     def close(self) -> None:
         """Shut the door."""
-        with suppress(RuntimeError):
-            self._loop.call_soon_threadsafe(self._loop.stop)
-        self._thread.join(2.0)
-
-    def _run(self) -> None:
-        asyncio.set_event_loop(self._loop)
-        try:
-            server = self._loop.run_until_complete(
-                asyncio.start_server(self._serve, self._host, self._wanted, limit=_MOST_HEAD)
-            )
-        except (OSError, ValueError) as error:
-            why = error.strerror if isinstance(error, OSError) else "that is no host"
-            self._error = f"{harmless(self._host)[:100]}:{self._wanted}: {why or error}"
-            self._loop.close()
-            self._ready.set()
+        if not self._thread.is_alive():
             return
-        self.port = server.sockets[0].getsockname()[1]
-        self._ready.set()
-        self._loop.run_forever()
-        server.close()
-        left = asyncio.all_tasks(self._loop)
-        for task in left:
-            task.cancel()
-        self._loop.run_until_complete(asyncio.gather(*left, return_exceptions=True))
-        self._loop.run_until_complete(self._loop.shutdown_default_executor())
-        self._loop.close()
+
+        async def end() -> None:
+            self._server.close()
+            left = asyncio.all_tasks() - {asyncio.current_task()}
+            for task in left:
+                task.cancel()
+            await asyncio.gather(*left, return_exceptions=True)
+            await self._loop.shutdown_default_executor()
+
+        with suppress(TimeoutError):
+            asyncio.run_coroutine_threadsafe(end(), self._loop).result(2.0)
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join(2.0)
+        if not self._thread.is_alive():
+            self._loop.close()
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         with suppress(OSError, asyncio.TimeoutError, asyncio.IncompleteReadError, asyncio.CancelledError):
             try:
-                raw = await asyncio.wait_for(reader.readuntil(b"\r\n\r\n"), PATIENCE)
-                head = Head(raw)
+                head = _Head(await asyncio.wait_for(reader.readuntil(b"\r\n\r\n"), _PATIENCE))
             except (ValueError, HTTPException, asyncio.LimitOverrunError):
                 await _answer(writer, HTTPStatus.BAD_REQUEST, "This is no request that a browser sends.")
             else:
                 await self._route(head, reader, writer)
-        with suppress(ConnectionError, OSError):
+        with suppress(OSError):
             writer.close()
 
-    async def _route(self, head: Head, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+    async def _route(self, head: _Head, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        page, _, rest = head.path.removeprefix(_PAGE).partition("/")
         if not self._is_ours(head):
             await _answer(writer, HTTPStatus.FORBIDDEN, "Another site sent this request; it is refused.")
-        elif head.path.startswith(_PAGE):
-            page, _, rest = head.path.removeprefix(_PAGE).partition("/")
-            port = self._port_of(page)
-            if port is None:
-                await _answer(writer, HTTPStatus.NOT_FOUND, "This page is closed.")
-            elif head.path == f"{_PAGE}{page}" and not head.is_upgrade:
-                await _redirect(writer, f"{_PAGE}{page}/")
-            else:
-                await _pass_on(head.for_page(f"/{rest}"), port, reader, writer)
         elif head.path == "/":
             await self._admit(head, writer)
-        else:
+        elif not head.path.startswith(_PAGE):
             await _answer(writer, HTTPStatus.NOT_FOUND, "There is nothing here.")
+        elif (port := self._port_of(page)) is None:
+            await _answer(writer, HTTPStatus.NOT_FOUND, "This page is closed.")
+        elif head.path == f"{_PAGE}{page}" and not head.is_upgrade:
+            await _answer(writer, HTTPStatus.SEE_OTHER, lines=[f"Location: {head.path}/"])
+        else:
+            await _pass_on(head.for_page(f"/{rest}"), port, reader, writer)
 
-    async def _admit(self, head: Head, writer: asyncio.StreamWriter) -> None:
+    async def _admit(self, head: _Head, writer: asyncio.StreamWriter) -> None:
         """Show a browser its page, or make one."""
-        given = next(iter(head.query.get("token", [])), head.cookies.get(_TOKEN, ""))
+        given = next(iter(head.query.get("token", [])), head.cookie(_TOKEN))
         if self.token and not hmac.compare_digest(given.encode(), self.token.encode()):
             await _answer(writer, HTTPStatus.FORBIDDEN, "The address must hold the token that was printed.")
             return
-        cookies = [f"{_TOKEN}={self.token}; Path=/; HttpOnly; SameSite=Strict"] if self.token else []
-        page = head.cookies.get(_COOKIE, "")
+        page, cookies = head.cookie(_COOKIE), {_TOKEN: self.token} if self.token else {}
         if self._port_of(page) is None:
             try:
                 page = await asyncio.get_running_loop().run_in_executor(None, self._open_page)
             except NeurosymError as error:
                 await _answer(writer, HTTPStatus.BAD_REQUEST, str(error))
                 return
-            cookies.append(f"{_COOKIE}={page}; Path=/; HttpOnly; SameSite=Strict")
-        await _redirect(writer, f"{_PAGE}{page}/", cookies)
+            cookies[_COOKIE] = page
+        lines = [f"Location: {_PAGE}{page}/"]
+        for name, value in cookies.items():
+            lines.append(f"Set-Cookie: {name}={value}; Path=/; HttpOnly; SameSite=Strict")
+        await _answer(writer, HTTPStatus.SEE_OTHER, lines=lines)
 
-    def _is_ours(self, head: Head) -> bool:
+    def _is_ours(self, head: _Head) -> bool:
         """Say whether a request comes from a page of ours, and by a name that is ours."""
         host = urlsplit(f"//{head.get('host')}").hostname or ""
-        if self.is_local and not (host == "localhost" or is_loopback(host)):
+        if self.is_local and not is_loopback(host):
             return False  # another name was made to lead here
         origin = head.get("origin")
         return not origin or urlsplit(origin).netloc == head.get("host")
@@ -216,10 +187,8 @@ class Front:
 
 def is_loopback(host: str) -> bool:
     """Say whether a host is this machine, and heard by nobody else."""
-    if host == "localhost":
-        return True
     try:
-        return ip_address(host).is_loopback
+        return host == "localhost" or ip_address(host).is_loopback
     except ValueError:
         return False
 
@@ -230,10 +199,14 @@ async def _pass_on(
     """Pass a request on to a page, and all that is said from then on, both ways."""
     inner_reader, inner_writer = await asyncio.open_connection("127.0.0.1", port)
     inner_writer.write(head)
-    ways = [
-        asyncio.create_task(_pump(reader, inner_writer)),
-        asyncio.create_task(_pump(inner_reader, writer)),
-    ]
+
+    async def pump(source: asyncio.StreamReader, sink: asyncio.StreamWriter) -> None:
+        with suppress(OSError):
+            while chunk := await source.read(_CHUNK):
+                sink.write(chunk)
+                await sink.drain()
+
+    ways = [asyncio.create_task(pump(*way)) for way in ((reader, inner_writer), (inner_reader, writer))]
     try:
         await asyncio.wait(ways, return_when=asyncio.FIRST_COMPLETED)
     finally:
@@ -242,38 +215,31 @@ async def _pass_on(
         inner_writer.close()
 
 
-async def _pump(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-    with suppress(ConnectionError, OSError):
-        while chunk := await reader.read(_CHUNK):
-            writer.write(chunk)
-            await writer.drain()
-
-
-async def _redirect(writer: asyncio.StreamWriter, to: str, cookies: Sequence[str] = ()) -> None:
-    lines = [f"Location: {to}", *(f"Set-Cookie: {cookie}" for cookie in cookies)]
-    await _send(writer, HTTPStatus.SEE_OTHER, lines, b"")
-
-
-async def _answer(writer: asyncio.StreamWriter, status: HTTPStatus, sentence: str) -> None:
-    style = "font-family:sans-serif;max-width:40em;margin:4em auto;padding:0 1em"
+async def _answer(
+    writer: asyncio.StreamWriter, status: HTTPStatus, sentence: str = "", lines: Sequence[str] = ()
+) -> None:
+    """Answer with a page that says a sentence, with more lines in the head."""
     text = (
         '<!doctype html><html lang="en"><meta charset="utf-8"><title>neurosym studio</title>'
-        f'<body style="{style}"><p>{escape(sentence)}</p><p><a href="/">A new page</a></p></body></html>'
-    )
-    await _send(writer, status, ["Content-Type: text/html; charset=utf-8"], text.encode())
-
-
-async def _send(writer: asyncio.StreamWriter, status: HTTPStatus, lines: list[str], body: bytes) -> None:
-    head = [f"HTTP/1.1 {status.value} {status.phrase}", *lines, f"Content-Length: {len(body)}"]
-    head += ["Cache-Control: no-store", "X-Content-Type-Options: nosniff", "Connection: close"]
-    writer.write("\r\n".join([*head, "", ""]).encode("latin-1") + body)
+        f'<body style="{_STYLE}"><p>{escape(sentence)}</p><p><a href="/">A new page</a></p></body></html>'
+    ).encode()
+    head = [f"HTTP/1.1 {status.value} {status.phrase}", *lines, f"Content-Length: {len(text)}"]
+    head += ["Content-Type: text/html; charset=utf-8", "Cache-Control: no-store", "Connection: close"]
+    writer.write("\r\n".join([*head, "X-Content-Type-Options: nosniff", "", ""]).encode("latin-1") + text)
     await writer.drain()
 
 
-_MOST_PAGES = 64
-"""So many pages are open at once; one that nobody looks at gives way to a new one."""
-_RUNS = 8
-"""So many pages run at once; a run waits for its own clock most of the time."""
+_MOST_PAGES = 64  # so many pages are open at once; one that nobody looks at gives way to a new one
+_RUNS = 8  # so many pages run at once; a run waits for its own clock most of the time
+PANELS = {
+    "": AboutPanel,
+    "Table": TablePanel,
+    "Plan": PlanPanel,
+    "Run": RunPanel,
+    "Symbols": SymbolsPanel,
+    "Tour": TourPanel,
+}
+"""The panels of a page: its head, and the others by what stands on their tabs."""
 
 
 class Studio:
@@ -289,8 +255,8 @@ class Studio:
     def __init__(
         self, library: Library, host: str = "127.0.0.1", port: int = 0, problem: Problem | None = None
     ):
-        self.library, self._problem = library, problem
-        self.planners, self.runners = Workers(max(1, os.cpu_count() or 1)), Workers(_RUNS)
+        self._library, self._problem = library, problem
+        self._planners, self._runners = Workers(max(1, os.cpu_count() or 1)), Workers(_RUNS)
         self.front = Front(self.open_page, self._port_of, host, port)
         self._pages: dict[str, Page] = {}
         self._lock = threading.RLock()
@@ -298,19 +264,18 @@ class Studio:
     @property
     def address(self) -> str:
         """What is typed in a browser, with the token if there is one."""
-        token = f"/?token={self.front.token}" if self.front.token else "/"
-        return self.front.address + token
+        return self.front.address + (f"/?token={self.front.token}" if self.front.token else "/")
 
     def start(self) -> None:
         """Open the door, and have a process of each kind at hand."""
         self.front.start()
-        for workers in (self.planners, self.runners):
+        for workers in (self._planners, self._runners):
             threading.Thread(target=workers.warm, daemon=True).start()
 
     def close(self) -> None:
         """End everything, and leave nothing behind."""
         self.front.close()
-        for workers in (self.planners, self.runners):
+        for workers in (self._planners, self._runners):
             workers.close()
         with self._lock:
             for page in self._pages.values():
@@ -323,17 +288,13 @@ class Studio:
         return tuple(self._pages.values())
 
     def open_page(self) -> str:
-        """Make a page, and return what it is called, which cannot be guessed.
-
-        Raises:
-            InvalidValue: If too many pages are open.
-        """
+        """Make a page, and return its name, which cannot be guessed; `InvalidValue` if too many are open."""
         with self._lock:
             server = self._freed_server() if len(self._pages) >= _MOST_PAGES else None
             server = server or viser.ViserServer("127.0.0.1", 0, label="neurosym studio", verbose=False)
-            session = Session(self.library, self.planners, self.runners, self._problem)
+            session = Session(self._library, self._planners, self._runners, self._problem)
             name = secrets.token_urlsafe(12)
-            self._pages[name] = Page(server, session)
+            self._pages[name] = Page(server, session, PANELS)
         return name
 
     def _port_of(self, name: str) -> int | None:

@@ -6,7 +6,6 @@ normal distribution gives to it. That is summed over fixed points which stand fo
 """
 
 import math
-from collections import Counter
 from collections.abc import Sequence
 from functools import cache
 from statistics import NormalDist
@@ -15,32 +14,19 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.grounding import Grounding
-from neurosym.operators import Operator
 from neurosym.problems import Problem
-from neurosym.tasks.task import understand
-from neurosym.tasks.transition import PlanStep, apply, chance, promise_of, start, validate
+from neurosym.tasks.task import Task, understand
+from neurosym.tasks.transition import PlanStep, apply, chance, promise_of, start
 
-POINTS = 1024
-"""How many points stand for a normal distribution."""
+POINTS = 1024  # that stand for a normal distribution
 _PLASTIC = 1.2207440846057596  # the root of x^4 = x + 1
 
 
 def expected_success(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> float:
-    """Return the chance that a plan reaches the goal of a problem without replanning.
-
-    Args:
-        steps: The plan; a put-down belongs to its lift.
-        problem: The problem it is for.
-        grounding: The learned domain.
-    """
-    ends = validate(steps, problem, grounding).positions[-1]
-    kept = math.prod(_chances(steps, problem, grounding))
-    inside = 1.0
-    for name, goal in problem.goals.items():
-        spread = spread_of(_moves(name, steps, grounding), problem, grounding)
-        end = ends[problem.object_names.index(name)]
-        inside *= chance_inside(end - goal, spread, problem.tolerance)
-    return kept * inside
+    """Return the chance that a plan reaches the goal of a problem without replanning."""
+    task = understand(problem, grounding)
+    chances, end = _followed(task, steps)
+    return math.prod(chances) * math.prod(_chance_at_goal(task, name, steps, end) for name in problem.goals)
 
 
 def expected_within(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, motions: int) -> float:
@@ -48,56 +34,47 @@ def expected_within(steps: Sequence[PlanStep], problem: Problem, grounding: Grou
 
     A step that does not go as promised, or an object that ends beside its goal, takes a motion more, which is
     as likely to do. An object that is lost ends everything.
-
-    Args:
-        steps: The plan; a put-down belongs to its lift.
-        problem: The problem it is for.
-        grounding: The learned domain.
-        motions: How many primitives may be performed.
     """
-    ends = validate(steps, problem, grounding).positions[-1]
-    left = Counter(step.object for step in steps if not step.puts_down)
-    stages = []
-    done_with = [step for step in steps if not step.puts_down]
-    for step, kept in zip(done_with, _chances(steps, problem, grounding), strict=True):
+    task = understand(problem, grounding)
+    chances, end = _followed(task, steps)
+    performed = [step for step in steps if not step.puts_down]
+    last = {step.object: number for number, step in enumerate(performed)}
+    done, again = list[float](), list[float]()
+    for number, (step, kept) in enumerate(zip(performed, chances, strict=True)):
         is_put = grounding.relation_named(step.base) is not None
-        lost = 0.0 if is_put else _share_lost(promise_of(step, problem, grounding))
-        left[step.object] -= 1
-        if not left[step.object] and step.object in problem.goals:
-            spread = spread_of(_moves(step.object, steps, grounding), problem, grounding)
-            miss = ends[problem.object_names.index(step.object)] - problem.goals[step.object]
-            kept *= chance_inside(miss, spread, problem.tolerance)
-        stages.append((kept, max(0.0, 1 - kept - lost)))
-    done = np.array([kept for kept, _ in stages])
-    again = np.array([*(again for _, again in stages), 1.0])
-    so_many = np.zeros(len(stages) + 1)  # how likely so many steps are done
-    so_many[0] = 1.0
+        modes = () if is_put else promise_of(step, problem, grounding).modes
+        lost = math.fsum(mode.share for mode in modes if mode.kind == "lost")
+        if number == last[step.object] and step.object in problem.goals:
+            kept *= _chance_at_goal(task, step.object, steps, end)
+        done.append(kept)
+        again.append(max(0.0, 1 - kept - lost))
+    so_many = np.eye(1, len(done) + 1)[0]  # how likely so many steps are done
     for _ in range(motions):
         onward = so_many[:-1] * done
-        so_many = so_many * again
+        so_many = so_many * [*again, 1.0]
         so_many[1:] += onward
     return float(so_many[-1])
 
 
-def _chances(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> tuple[float, ...]:
-    """Return the chance of each step but put-downs to go as promised."""
-    task = understand(problem, grounding)
+def _followed(task: Task, steps: Sequence[PlanStep]) -> tuple[list[float], Float[np.ndarray, "M 3"]]:
+    """Return the chance of each step but put-downs to go as promised, and where objects end if all do [m]."""
     now, found = start(task), list[float]()
     for step in steps:
         if not step.puts_down:
             found.append(chance(task, now, step))
         now = apply(task, now, step)
-    return tuple(found)
+    return found, now.positions
+
+
+def _chance_at_goal(task: Task, name: str, steps: Sequence[PlanStep], end: Float[np.ndarray, "M 3"]) -> float:
+    """Return the chance that an object ends within its goal, by the steps that decide where that is."""
+    own = [step for step in steps if step.object == name and not task.grounding.relation_named(step.base)]
+    miss = end[task.names.index(name)] - task.problem.goals[name]
+    return chance_inside(miss, spread_of(own, task.problem, task.grounding), task.problem.tolerance)
 
 
 def spread_of(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Float[np.ndarray, "3"]:
-    """Return the standard deviation of where the steps with an object lead [m].
-
-    Args:
-        steps: The steps, all with one object.
-        problem: The problem.
-        grounding: The learned domain.
-    """
+    """Return the standard deviation of where the steps with an object lead [m]."""
     variance = np.zeros(3)
     for number, step in enumerate(steps, start=1):
         promise = promise_of(step, problem, grounding).promise
@@ -108,15 +85,6 @@ def spread_of(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding)
             spread = promise.spread if ends_held else (*promise.resting_spread[:2], 0.0)
             variance += np.square(spread)
     return np.asarray(np.sqrt(variance))
-
-
-def _moves(name: str, steps: Sequence[PlanStep], grounding: Grounding) -> list[PlanStep]:
-    """List the steps that decide where on the table an object ends."""
-    return [step for step in steps if step.object == name and not grounding.relation_named(step.base)]
-
-
-def _share_lost(operator: Operator) -> float:
-    return math.fsum(mode.share for mode in operator.modes if mode.kind == "lost")
 
 
 def chance_inside(miss: Float[np.ndarray, "3"], spread: Float[np.ndarray, "3"], tolerance: float) -> float:

@@ -6,7 +6,7 @@ what it showed.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
@@ -25,22 +25,15 @@ PUT_DOWN = "put-down-"
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """One primitive on one category, or putting down what it lifted.
+    """One primitive on one category, or putting down what it lifted."""
 
-    Attributes:
-        name: Name of the PDDL action.
-        cells: Displacement of the object.
-        cost: What the step costs.
-        kind: Whether the hand is empty before and after ("rest"), holds the object after ("lift"), or
-            held it before ("put-down").
-        operator: The operator it comes from.
-    """
-
-    name: str
-    cells: Cells
-    cost: int
+    name: str  # name of the PDDL action
+    cells: Cells  # displacement of the object
+    cost: int  # what the step costs
+    # whether the hand is empty before and after ("rest"), holds the object after ("lift"), or held it before
+    # ("put-down")
     kind: Literal["rest", "lift", "put-down"]
-    operator: Operator
+    operator: Operator  # the operator it comes from
 
     @property
     def axes(self) -> tuple[int, ...]:
@@ -49,13 +42,7 @@ class Move:
 
 
 def moves_for(item: SceneObject, grounding: Grounding, tolerance: float = TOLERANCE) -> tuple[Move, ...]:
-    """List what the operators of a domain promise for an object, by name, each lift followed by its put-down.
-
-    Args:
-        item: The object.
-        grounding: The learned domain.
-        tolerance: How near an outcome must come to the promise to have kept it [m].
-    """
+    """List what the operators of a domain promise for an object, by name; see `usable` and `as_moves`."""
     ordered = sorted(usable(grounding, item, tolerance), key=lambda operator: operator.name)
     return as_moves(ordered, grounding)
 
@@ -73,36 +60,28 @@ def as_moves(operators: Iterable[Operator], grounding: Grounding) -> tuple[Move,
     return tuple(moves)
 
 
-def price(chance: float) -> int:
+def _price(chance: float) -> int:
     """Return what goes as promised with a chance costs: 1 + round(-100 ln(chance))."""
     return 1 + round(-100 * math.log(chance))
 
 
 def cost(operator: Operator) -> int:
     """Return what a step costs by its rehearsals."""
-    return price(operator.chance)
+    return _price(operator.chance)
 
 
 def step_cost(operator: Operator, grounding: Grounding, *, borne: bool = False) -> int:
-    """Return what a step costs in a domain: as much as any other if the domain has unit costs.
-
-    Args:
-        operator: The operator as it promises for the object.
-        grounding: The learned domain.
-        borne: Whether it carries an object that rests on another one.
-    """
+    """Return what a step costs in a domain, 1 with unit costs; its object may be borne by another one."""
     if grounding.unit_costs:
         return 1
-    usual = operator.chance
-    more = math.log(chance_borne(operator, grounding) / usual) if borne else 0.0
-    return price(usual) + round(-100 * more)
+    more = math.log(chance_borne(operator, grounding) / operator.chance) if borne else 0.0
+    return _price(operator.chance) + round(-100 * more)
 
 
 def chance_borne(operator: Operator, grounding: Grounding) -> float:
     """Return the chance that an object is carried to a place as promised from where another one bears it."""
     kept = grounding.company(operator).get("borne")
-    tried = smoothed(kept.kept, kept.trials) if kept and kept.trials else 1.0
-    return min(operator.chance, tried)
+    return min(operator.chance, smoothed(kept.kept, kept.trials) if kept and kept.trials else 1.0)
 
 
 SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)
@@ -113,43 +92,27 @@ _NEVER = 0.01  # as how rare counts what was never seen
 
 @dataclass(frozen=True, slots=True)
 class Put:
-    """An operator on pairs as it is planned with.
+    """An operator on pairs as it is planned with."""
 
-    Attributes:
-        operator: The operator.
-        end: How it promises to turn out.
-        state: The state that the pair ends in.
-        kind: The kind of pairs that it is for; None if it is for any of which something is foreseen.
-        foreseen: In which share of the cases it is foreseen to keep its promise with the pair at hand, one of
-            `SHARES`; None where nothing is foreseen, and it does as with others of their kind.
-        case: In which company it is done.
-    """
-
-    operator: RelationOperator
-    end: PairEnd
-    state: PairState
+    operator: RelationOperator  # the operator
+    end: PairEnd  # how it promises to turn out
+    state: PairState  # the state that the pair ends in
+    # the kind of pairs that it is for; None if it is for any of which something is foreseen
     kind: Category | None
+    # in which share of the cases it is foreseen to keep its promise with the pair at hand, one of `SHARES`;
+    # None where nothing is foreseen, and it does as with others of their kind
     foreseen: float | None = None
-    case: Case = frozenset()
+    case: Case = frozenset()  # in which company it is done
 
     @property
     def name(self) -> str:
         """Name of the operator."""
         return self.operator.name
 
-    def sureness(self) -> tuple[float, bool, str]:
-        """Return what sorts operators for the same case by how surely they keep their promises."""
-        return self.chance, self.kind is not None, self.name
-
     @property
     def share(self) -> float:
         """In which share of the cases it is foreseen to keep its promise."""
         return self.end.share if self.foreseen is None else self.foreseen
-
-    @property
-    def is_likely(self) -> bool:
-        """Whether it keeps its promise often enough to be planned with."""
-        return self.share >= LEAST_CHANCE
 
     def with_pair(self, problem: Problem, target: str, reference: str) -> "Put":
         """Return it as it is foreseen to turn out with a pair of objects, by name, if the problem says so."""
@@ -168,7 +131,7 @@ class Put:
 
     def cost(self, grounding: Grounding) -> int:
         """Return what a step costs in a domain; see `step_cost`."""
-        return 1 if grounding.unit_costs else price(self.chance)
+        return 1 if grounding.unit_costs else _price(self.chance)
 
 
 @lru_cache(maxsize=8)
@@ -188,15 +151,10 @@ def puts_for(
     Of operators for the same it is the surest with this pair. One for pairs of any kind must be foreseen, and
     more surely than what those for the kind of the pair promise. What a goal asks for is offered even if it
     is only faintly foreseen, where there is nothing likelier.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-        target: Name of the one.
-        reference: Name of the other.
-        kind: The kind of the pair; as the problem says if not given.
+    The kind of the pair is what the problem says, if it is not given.
     """
-    kind = kind or problem.pairs.get(pair_key(target, reference))
+    key = pair_key(target, reference)
+    kind = kind or problem.pairs.get(key)
     fitting = [
         put.with_pair(problem, target, reference) for put in puts_of(grounding) if put.operator.is_for(kind)
     ]
@@ -209,26 +167,20 @@ def puts_for(
         for put in fitting
         if put.kind or (put.foreseen is not None and put.chance > own.get(put.state.name, 0.0))
     ]
-    likely = [put for put in at_hand if put.is_likely]
-    likely += _faint(at_hand, likely, problem, target, reference)
-    surest = {put.operator.case: put for put in sorted(likely, key=Put.sureness)}
-    return tuple(put for put in at_hand if surest.get(put.operator.case) is put)
-
-
-def _faint(
-    at_hand: Sequence[Put], likely: Sequence[Put], problem: Problem, target: str, reference: str
-) -> list[Put]:
-    """List what does what goals ask of a pair, faintly foreseen, where nothing is likely to do it."""
-    asked = {state for one, other, state in problem.related if (one, other) == (target, reference)}
-    shares = problem.foreseen.get(pair_key(target, reference), {})
+    likely = [put for put in at_hand if put.share >= LEAST_CHANCE]
     known = {put.state.symbol for put in likely}
-    return [
+    asked = {state for one, other, state in problem.related if (one, other) == (target, reference)}
+    shares = problem.foreseen.get(key, {})
+    likely += [  # what is asked for, and only faintly foreseen
         put
         for put in at_hand
         if asked & {put.state.name, put.state.symbol}
         and put.state.symbol not in known
         and shares.get(put.name, 0.0) >= FAINT
     ]
+    by_sureness = sorted(likely, key=lambda put: (put.chance, put.kind is not None, put.name))
+    surest = {put.operator.case: put for put in by_sureness}
+    return tuple(put for put in at_hand if surest.get(put.operator.case) is put)
 
 
 def put_named(name: str, grounding: Grounding) -> Put | None:
@@ -253,11 +205,6 @@ def carriers_for(item: SceneObject, grounding: Grounding, tolerance: float) -> t
     """List the operators that carry an object to places, as they promise for it, the surest first.
 
     How sure they are counts what rehearsals beside others showed, since a scene may hold others.
-
-    Args:
-        item: The object.
-        grounding: The learned domain.
-        tolerance: How near an outcome must come to the promise to have kept it [m].
     """
     of_item = promised(grounding, item, tolerance)
     found = [of_item[one.name] for one in grounding.carriers if one.category == item.category]

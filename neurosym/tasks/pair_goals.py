@@ -1,22 +1,15 @@
 """Whether the goals by relation of a problem can be, by what was learned of its pairs."""
 
-from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pair_operators import RelationOperators
 from neurosym.problems import Problem, RelationGoal
-from neurosym.tasks.supports import unmet_relations
-from neurosym.tasks.task import understand
+from neurosym.tasks.task import understand, unmet_relations
 
 
 def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tuple[RelationGoal, ...]:
-    """Return goals by relation with the names of the states that are meant.
-
-    Args:
-        goals: The goals, whose states are called by name, by symbol, or by the beginning of one name only.
-        grounding: The learned domain.
+    """Return goals by relation with the names of the states that are meant by name, symbol or a beginning.
 
     Raises:
         InvalidValue: If the domain knows nothing of relations, or several states may be meant.
@@ -35,38 +28,23 @@ def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tupl
 def check_relations(problem: Problem, grounding: Grounding) -> None:
     """Raise unless something leads to each goal by relation, or it is met already.
 
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-
     Raises:
         InvalidValue: If nothing does, a kind of pairs is no code of this domain, or the domain knows nothing
             of relations.
         UnknownChoice: If there is no such state.
     """
-    if grounding.relations:
-        _check_codes(problem.pairs, grounding.relations)
+    if grounding.relations and grounding.relations.pairs:
+        one = grounding.relations.pairs[0].symbol
+        for pair, code in sorted(problem.pairs.items()):
+            if len(code) != len(one):
+                said = f"pairs has the code {code!r} for {pair!r}"
+                raise InvalidValue(f"{said}; valid: {len(one)} bits, like {one!r}, or no entry.")
     if problem.related and (reason := why_no_relation(problem, grounding)):
         raise InvalidValue(f"{reason}.")
 
 
-def _check_codes(pairs: Mapping[str, str], relations: RelationOperators) -> None:
-    """Refuse kinds of pairs that have more or fewer bits than those that were learned."""
-    bits = len(relations.pairs[0].symbol) if relations.pairs else 0
-    wrong = next((pair for pair, code in sorted(pairs.items()) if bits and len(code) != bits), None)
-    if wrong is not None:
-        raise InvalidValue(
-            f"pairs has the code {pairs[wrong]!r} for {wrong!r}; valid: {bits} bits, like "
-            f"{relations.pairs[0].symbol!r}, or no entry."
-        )
-
-
 def why_no_relation(problem: Problem, grounding: Grounding) -> str:
     """Say which goal by relation nothing leads to, and what would be valid; nothing if there is none.
-
-    Args:
-        problem: The problem, with the objects as they stand now.
-        grounding: The learned domain.
 
     Raises:
         InvalidValue: If the domain knows nothing of relations.
@@ -92,24 +70,20 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
 def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:
     """Say what can be done with an object relative to others."""
     puts = understand(problem, grounding).puts
-    ways = [
-        f"{put.state.name} {other}"
-        for other in problem.object_names
-        if other != target
-        for put in puts[target, other]
-    ]
-    known = ", ".join(dict.fromkeys(ways))
+    others = [other for other in problem.object_names if other != target]
+    ways = dict.fromkeys(f"{put.state.name} {other}" for other in others for put in puts[target, other])
+    known = ", ".join(ways)
     return f"valid for {target}: {known}" if known else f"nothing puts {target} on or into any other object"
 
 
 def why_too_many(problem: Problem, grounding: Grounding) -> str:
     """Say which object should bear several and cannot, or nothing."""
-    puts = understand(problem, grounding).puts
-    wanted = Counter(reference for _, reference, _ in problem.related)
-    for reference, count in wanted.items():
-        targets = [target for target, other, _ in problem.related if other == reference]
-        rows = [puts[target, reference] for target in targets]
-        if count > 1 and not any(put.operator.takes("occupied") for row in rows for put in row):
+    puts, wanted = understand(problem, grounding).puts, dict[str, list[str]]()
+    for target, reference, _ in problem.related:
+        wanted.setdefault(reference, []).append(target)
+    for reference, targets in wanted.items():
+        every = (put for target in targets for put in puts[target, reference])
+        if len(targets) > 1 and not any(put.operator.takes("occupied") for put in every):
             return (
                 f"{reference} shall bear {' and '.join(targets)}, and rehearsals show that it bears one "
                 "object at a time; leave one of the two out"

@@ -8,7 +8,7 @@ promise what they promise to the category.
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from types import MappingProxyType
 
@@ -17,7 +17,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Category, Effect, Operator
+from neurosym.operators import TOLERANCE, Category, Operator
 from neurosym.problems import SceneObject
 from neurosym.regression import Choice, Regression, fit, found_for
 
@@ -27,8 +27,7 @@ LEAST_CHANCE = 0.25
 Whether it is kept is mostly the object's doing, so that trying again does not help. Such low chances are said
 too high, too: of promises said to be kept in 10 to 25 %, 9 % were (`docs/planning.md`, "The chance").
 """
-LEAST_REHEARSALS = 8
-"""With fewer rehearsals that ended as promised, nothing is refined."""
+_LEAST_REHEARSALS = 8  # with fewer that ended as promised, nothing is refined
 _BEYOND = 0.5  # how far outside of what was rehearsed an object may be, in spreads of the features
 _LEAST_SPREAD = 1e-3
 
@@ -48,13 +47,7 @@ def promised(grounding: Grounding, item: SceneObject, tolerance: float = TOLERAN
 
 
 def usable(grounding: Grounding, item: SceneObject, tolerance: float = TOLERANCE) -> tuple[Operator, ...]:
-    """Return the operators of the PDDL domain that do something to this object, as they promise for it.
-
-    Args:
-        grounding: The learned domain.
-        item: The object.
-        tolerance: How near an outcome must come to the promise to have kept it [m].
-    """
+    """Return the operators of the PDDL domain that do something to this object; see `promised`."""
     return _usable(grounding, item.category, item.features, tolerance)
 
 
@@ -73,24 +66,17 @@ def rehearsed_objects(operator: Operator, category: Category) -> tuple[tuple[flo
 
 
 def keeps_promises(operator: Operator, category: Category, tolerance: float) -> tuple[bool, ...]:
-    """Say of each rehearsal whether it ended as the others promise for its object.
-
-    Args:
-        operator: An operator whose rehearsals are kept.
-        category: Its category.
-        tolerance: How near it must have come [m].
-    """
+    """Say of each rehearsal whether it ended as the others promise for its object."""
     regression, promise = _regression(operator, category), operator.promise
-    kinds = [promise is not None and one.kind == promise.kind for one in operator.rehearsals]
-    if promise is None or not any(kinds):
-        return (False,) * len(kinds)
+    if promise is None:
+        return (False,) * len(operator.rehearsals)
     if regression is None:
-        return tuple(
-            is_kind and math.dist(one.outcome, promise.outcome) <= tolerance
-            for is_kind, one in zip(kinds, operator.rehearsals, strict=True)
-        )
-    kept = iter(regression.keeps(tolerance).tolist())
-    return tuple(is_kind and next(kept) for is_kind in kinds)
+        near = (math.dist(one.outcome, promise.outcome) <= tolerance for one in operator.rehearsals)
+        kinds = (one.kind == promise.kind for one in operator.rehearsals)
+        return tuple(is_kind and is_near for is_kind, is_near in zip(kinds, near, strict=True))
+    kept = np.zeros(len(operator.rehearsals), dtype=bool)
+    kept[regression.is_kind] = regression.keeps(tolerance)
+    return tuple(kept.tolist())
 
 
 def fits_of(grounding: Grounding) -> dict[str, Choice]:
@@ -122,17 +108,12 @@ def chances_of(
 
 
 def is_rehearsed(category: Category, features: Sequence[float]) -> bool:
-    """Say whether objects like this one were rehearsed, as far as that is known.
-
-    Args:
-        category: The object's category.
-        features: Its features.
-    """
+    """Say whether objects of a category that have such features were rehearsed, as far as that is known."""
     if not category.objects:
         return True
     objects, scale = np.array(category.objects), _scale(category)
     low, high = objects.min(0) - _BEYOND * scale, objects.max(0) + _BEYOND * scale
-    return bool(np.all((low <= features) & (features <= high)))
+    return len(features) == len(low) and bool(np.all((low <= features) & (features <= high)))
 
 
 @lru_cache(maxsize=256)
@@ -140,29 +121,10 @@ def _promised(
     grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float
 ) -> Mapping[str, Operator]:
     learned = grounding.category(category)
-    operators = {one.name: one for one in grounding.every_operator if one.category == category}
-    if not is_rehearsed(learned, features):
-        return MappingProxyType({name: _plain(operator) for name, operator in operators.items()})
-    return _Promises(operators, lambda operator: _refined(operator, learned, features, tolerance))
-
-
-class _Promises(Mapping[str, Operator]):
-    """What operators promise, which is worked out for each of them when it is asked for."""
-
-    def __init__(self, operators: Mapping[str, Operator], refine: Callable[[Operator], Operator]):
-        self._operators, self._refine = operators, refine
-        self._found: dict[str, Operator] = {}
-
-    def __getitem__(self, name: str) -> Operator:
-        if name not in self._found:
-            self._found[name] = self._refine(self._operators[name])
-        return self._found[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._operators)
-
-    def __len__(self) -> int:
-        return len(self._operators)
+    own = [one for one in grounding.every_operator if one.category == category]
+    is_known = is_rehearsed(learned, features)
+    promises = [_refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own]
+    return MappingProxyType({one.name: one for one in promises})
 
 
 @lru_cache(maxsize=256)
@@ -192,29 +154,21 @@ def _refined(
     at = (np.array(features) - regression.centre) / regression.scale
     values, spreads = regression.predict(at), regression.spreads(at)
     so, kept = (round(regression.chance(at, within) * operator.trials) for within in (np.inf, tolerance))
-    resting, effect = _ends(values, promise.resting_effect[2], promise.effect[2])
-    resting_spread, spread = _ends(spreads, promise.resting_spread[2], promise.spread[2])
+    is_held = promise.kind == "held"
+    resting = (*values[:2].tolist(), promise.resting_effect[2])
+    resting_spread = (*spreads[:2].tolist(), promise.resting_spread[2])
     mode = msgspec.structs.replace(
         promise,
         count=so,
         share=so / operator.trials,
         near_mean=kept,
-        effect=effect,
-        spread=spread,
+        effect=tuple(values[2:].tolist()) if is_held else (*resting[:2], promise.effect[2]),
+        spread=tuple(spreads[2:].tolist()) if is_held else (*resting_spread[:2], promise.spread[2]),
         resting_effect=resting,
         resting_spread=resting_spread,
     )
     modes = tuple(mode if other is promise else other for other in operator.modes)
     return msgspec.structs.replace(operator, modes=modes, rehearsals=(), objects=())
-
-
-def _ends(values: Float[np.ndarray, "D"], resting_z: float, z: float) -> tuple[Effect, Effect]:
-    """Return where an object rests, and where it is in the air, by what is predicted and means along z [m].
-
-    See `_outcomes` for what is predicted.
-    """
-    x, y, *in_air = values.tolist()
-    return (x, y, resting_z), tuple(in_air) or (x, y, z)
 
 
 @lru_cache(maxsize=2048)
@@ -224,19 +178,15 @@ def _regression(operator: Operator, category: Category) -> Regression | None:
     rows = rehearsed_objects(operator, category)
     if promise is None or not category.objects or len(operator.rehearsals) != len(rows):
         return None
-    is_kind = np.array([one.kind == promise.kind for one in operator.rehearsals], dtype=bool)
-    if is_kind.sum() < LEAST_REHEARSALS:
+    of_kind = [one for one in operator.rehearsals if one.kind == promise.kind]
+    if len(of_kind) < _LEAST_REHEARSALS:
         return None
-    outcomes = _outcomes(operator, promise.kind == "held")
+    is_kind = np.array([one.kind == promise.kind for one in operator.rehearsals])
+    outcomes = np.array([one.resting_effect[:2] for one in of_kind])
+    if promise.kind == "held":
+        outcomes = np.column_stack([outcomes, [one.effect for one in of_kind]])
     known = found_for(operator, category)
-    return fit(np.array(rows), is_kind, outcomes[is_kind], scale=_scale(category), known=known)
-
-
-def _outcomes(operator: Operator, is_held: bool) -> Float[np.ndarray, "N D"]:
-    """List what is predicted [m]: where the object rests, x and y, and if held, where it is in the air."""
-    rows = operator.rehearsals
-    resting = np.array([row.resting_effect[:2] for row in rows])
-    return np.column_stack([resting, [row.effect for row in rows]]) if is_held else resting
+    return fit(np.array(rows), is_kind, outcomes, scale=_scale(category), known=known)
 
 
 def _scale(category: Category) -> Float[np.ndarray, "F"]:

@@ -13,7 +13,6 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.errors import InvalidValue
-from neurosym.grounding import Grounding
 from neurosym.operators import Category, Symbol
 from neurosym.pair_operators import (
     FAINT,
@@ -25,7 +24,7 @@ from neurosym.pair_operators import (
     extent,
     share_with_any,
 )
-from neurosym.problems import Problem, RelationGoal, pair_key
+from neurosym.problems import Problem, pair_key
 from neurosym.world import Scene
 
 # What is said of pairs before anything is done: their kinds, and how surely operators will keep promises.
@@ -43,17 +42,12 @@ _DIGITS = 3
 
 @dataclass(frozen=True, slots=True)
 class PairSight:
-    """What learned networks say of pairs of objects.
+    """What learned networks say of pairs of objects."""
 
-    Attributes:
-        kinds: Gives their kinds.
-        chances: Foresees the states that actions bring them to; None where that was not learned.
-        order: Codes of the states, in the order in which they are foreseen.
-    """
-
-    kinds: KindsOfPairs
+    kinds: KindsOfPairs  # gives their kinds
+    # foresees the states that actions bring them to; None where that was not learned
     chances: ChancesOfStates | None = None
-    order: tuple[Symbol, ...] = ()
+    order: tuple[Symbol, ...] = ()  # codes of the states, in the order in which they are foreseen
 
 
 def with_pairs(
@@ -70,48 +64,37 @@ def with_pairs(
     Raises:
         InvalidValue: If the networks foresee other states than the domain has.
     """
-    if relations is None or problem.pairs or not relations.pairs or len(problem.objects) < 2:
+    rows = _features(problem, relations)
+    if relations is None or not rows:
         return problem
     if sight is None:
-        return msgspec.structs.replace(problem, pairs=kinds_of(problem, relations), foreseen={})
-    rows = _features(problem)
-    kinds = sight.kinds(rows)
-    found, foreseen = dict(zip(_keys(problem), kinds, strict=True)), dict[str, dict[str, float]]()
-    if sight.chances:
-        chances = _foreseen(rows, kinds, relations, sight, sight.chances)
-        foreseen = {pair: row for pair, row in zip(found, chances, strict=True) if row}
-    return msgspec.structs.replace(problem, pairs=found, foreseen=foreseen)
+        return msgspec.structs.replace(problem, pairs=dict(kinds_of(problem, relations)), foreseen={})
+    features = np.array([*rows.values()])
+    kinds = sight.kinds(features)
+    chances = _foreseen(features, kinds, relations, sight) if sight.chances else [{} for _ in rows]
+    foreseen = {pair: row for pair, row in zip(rows, chances, strict=True) if row}
+    return msgspec.structs.replace(problem, pairs=dict(zip(rows, kinds, strict=True)), foreseen=foreseen)
 
 
 def kinds_of(problem: Problem, relations: RelationOperators | None) -> Mapping[str, Symbol]:
-    """Return the kinds of all pairs of a problem's objects, as it says itself, or else those nearest.
-
-    Args:
-        problem: The problem.
-        relations: What was learned of pairs.
-    """
-    if relations is None or problem.pairs or not relations.pairs or len(problem.objects) < 2:
+    """Return the kinds of all pairs of a problem's objects, as it says itself, or else those nearest."""
+    rows = _features(problem, relations)
+    if relations is None or not rows:
         return problem.pairs
-    return dict(zip(_keys(problem), nearest_kinds(_features(problem), relations.pairs), strict=True))
+    nearest = nearest_kinds(np.array([*rows.values()]), relations.pairs)
+    return dict(zip(rows, nearest, strict=True))
 
 
-def _keys(problem: Problem) -> list[str]:
-    return [pair_key(*pair) for pair in permutations(problem.object_names, 2)]
-
-
-def _features(problem: Problem) -> Float[np.ndarray, "N F"]:
-    """Return the features of the target and then those of the reference, for each pair."""
+def _features(problem: Problem, relations: RelationOperators | None) -> dict[str, tuple[float, ...]]:
+    """Return the features of targets and then of references, for all pairs whose kinds are still to tell."""
+    if problem.pairs or relations is None or not relations.pairs:
+        return {}
     pairs = permutations(problem.objects, 2)
-    return np.array([(*one.features, *other.features) for one, other in pairs])
+    return {pair_key(one.name, other.name): (*one.features, *other.features) for one, other in pairs}
 
 
 def nearest_kinds(features: Float[np.ndarray, "N F"], kinds: Sequence[Category]) -> tuple[Symbol, ...]:
-    """Return of which kind each pair is by its features alone: that whose mean is nearest.
-
-    Args:
-        features: Features of the targets, and then of the references.
-        kinds: The kinds; those of which nothing was seen are left out.
-    """
+    """Return of which kind pairs are by their features, target first: that whose mean is nearest."""
     known = [kind for kind in kinds if kind.feature_means]
     means = np.array([kind.feature_means for kind in known])  # (K, F)
     spread = np.maximum(means.std(0), _LEAST_SPREAD)
@@ -124,7 +107,6 @@ def _foreseen(
     kinds: Sequence[Symbol],
     relations: RelationOperators,
     sight: PairSight,
-    chances: ChancesOfStates,
 ) -> list[dict[str, float]]:
     """Foresee for each pair how surely the operators for its kind keep their promises, by their names."""
     order = relations.bearing
@@ -140,10 +122,10 @@ def _foreseen(
         if operator.is_for(kind) and operator.promise and operator.promise.state in order
     ]
     found: list[dict[str, float]] = [{} for _ in kinds]
-    if not cases:
+    if not cases or not sight.chances:
         return found
     actions = np.array([relations.primitive_of(operator).action for _, operator, _ in cases])
-    predicted = chances(features[[row for row, *_ in cases]], actions)
+    predicted = sight.chances(features[[row for row, *_ in cases]], actions)
     known = {(row, column): 0.0 for row, _, column in cases}
     faint: dict[tuple[int, int], list[tuple[float, str]]] = {case: [] for case in known}
     for (row, operator, column), of_states in zip(cases, predicted, strict=True):
@@ -162,36 +144,27 @@ def _foreseen(
 
 
 Contacts = tuple[tuple[int, int], ...]
-TOUCHING = 0.002
-"""Objects whose boxes are no farther apart than this are taken to touch, where nobody saw it [m]."""
+_TOUCHING = 0.002  # objects whose boxes are no farther apart are taken to touch, where nobody saw it [m]
 
 
 @dataclass(frozen=True, slots=True)
 class Borne:
-    """What bears an object.
+    """What bears an object."""
 
-    Attributes:
-        by: Name of the object that bears it.
-        state: The state of the two.
-    """
-
-    by: str
-    state: PairState
+    by: str  # name of the object that bears it
+    state: PairState  # the state of the two
 
 
 def contacts_of(scene: Scene) -> Contacts:
-    """Tell from geometry which objects touch: those whose boxes along the axes meet or overlap.
+    """Tell from geometry which objects at rest touch: those whose boxes along the axes meet or overlap."""
+    near = np.asarray(np.all(_gaps(scene) <= _TOUCHING, axis=-1))
+    return tuple((one, other) for one, other in combinations(range(len(scene)), 2) if near[one, other])
 
-    Args:
-        scene: The objects, at rest.
-    """
-    halves = [extent(scene, index) / 2 for index in range(len(scene))]
-    found = []
-    for one, other in combinations(range(len(scene)), 2):
-        away = np.abs(scene.positions[one] - scene.positions[other])
-        if np.all(away <= halves[one] + halves[other] + TOUCHING):
-            found.append((one, other))
-    return tuple(found)
+
+def _gaps(scene: Scene) -> Float[np.ndarray, "M M 3"]:
+    """Return how far the boxes of two objects are apart along each axis, negative if they overlap [m]."""
+    halves = np.array([extent(scene, index) / 2 for index in range(len(scene))])
+    return np.asarray(np.abs(scene.positions[:, None] - scene.positions) - (halves[:, None] + halves))
 
 
 def touching(problem: Problem) -> Contacts:
@@ -211,26 +184,38 @@ def with_contacts(problem: Problem, contacts: Contacts) -> Problem:
     )
 
 
+Seen = Mapping[tuple[str, str], tuple[PairState, float]]
+"""The state of each pair, by its names, and how far it is from what is typical of that."""
+
+
+def seen_states(problem: Problem, relations: RelationOperators) -> Seen:
+    """Return the states of all pairs of a problem's objects as they stand now, and how typical they are."""
+    scene, contacts, names = problem.scene(), touching(problem), problem.object_names
+    found = {}
+    for target, reference in permutations(range(len(scene)), 2):
+        described = tuple(describe_pair(scene, target, reference, contacts).tolist())
+        state = relations.of(described)
+        found[names[target], names[reference]] = state, relations.misfit(described, state)
+    return found
+
+
 def bearers_of(
-    problem: Problem, relations: RelationOperators, kinds: Mapping[str, Symbol] | None = None
+    problem: Problem,
+    relations: RelationOperators,
+    kinds: Mapping[str, Symbol] | None = None,
+    seen: Seen | None = None,
 ) -> dict[str, Borne]:
     """Return what bears each object that another one bears.
 
     Of two objects that look as if each bore the other, as a box and the ring around it do, the one bears that
     the goals say bears. What lies on the table beside another object is not borne by it, however alike that
-    looks to the encoder.
-
-    Args:
-        problem: The problem, with the objects as they stand now.
-        relations: What was learned of pairs.
-        kinds: Kinds of the pairs, if they were worked out.
+    looks to the encoder. Kinds and states of the pairs are worked out if they are not given.
     """
-    known = _known_ends(relations)
+    known, beside = _known_ends(relations), _beside(problem)
     kinds = kinds_of(problem, relations) if kinds is None else kinds
     asked = {(target, reference) for target, reference, _ in problem.related}
-    seen = _seen(problem, relations).items()
-    beside = _beside(problem)
-    bears = {names: (state, off) for names, (state, off) in seen if state.bears and names not in beside}
+    every = (seen_states(problem, relations) if seen is None else seen).items()
+    bears = {names: (state, off) for names, (state, off) in every if state.bears and names not in beside}
     bearing = [
         ((kinds.get(pair_key(*names), ""), state.symbol) not in known, off, names, state)
         for names, (state, off) in bears.items()
@@ -246,20 +231,14 @@ def bearers_of(
 def _beside(problem: Problem) -> set[tuple[str, str]]:
     """List targets that lie on the table, each with the references that it does not overlap from above."""
     scene, names = problem.scene(), problem.object_names
-    halves = np.array([extent(scene, index) / 2 for index in range(len(scene))])
-    lies = scene.positions[:, 2] - halves[:, 2] < TOUCHING
-    gaps = np.abs(scene.positions[:, None] - scene.positions) - (halves[:, None] + halves)
-    apart = (gaps[..., :2] > 0).any(-1)
+    heights = np.array([extent(scene, index)[2] / 2 for index in range(len(scene))])
+    lies = scene.positions[:, 2] - heights < _TOUCHING
+    apart = (_gaps(scene)[..., :2] > 0).any(-1)
     return {(names[one], names[other]) for one, other in np.argwhere(lies[:, None] & apart)}
 
 
 def known_bearers(problem: Problem, relations: RelationOperators) -> dict[str, Borne]:
-    """Return what bears each object as far as some operator leads to that.
-
-    Args:
-        problem: The problem, with the objects as they stand now.
-        relations: What was learned of pairs.
-    """
+    """Return what bears each object as far as some operator leads to that; see `bearers_of`."""
     kinds, known = kinds_of(problem, relations), _known_ends(relations)
     return {
         name: borne
@@ -289,75 +268,3 @@ def loads_of(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:
 def carried_along(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:
     """Name all that an object takes along where it is carried."""
     return tuple(one for one in bearers if one != name and name in chain_below(one, bearers))
-
-
-def unmet_relations(problem: Problem, grounding: Grounding) -> tuple[RelationGoal, ...]:
-    """List the goals by relation that do not hold as the objects stand now.
-
-    Where a goal is that an object bears another one, it must be that one itself that bears it.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-    """
-    if not problem.related:
-        return ()
-    relations = relations_of(grounding, problem)
-    seen, bearers = _seen(problem, relations), bearers_of(problem, relations)
-
-    def holds(target: str, reference: str, state: str) -> bool:
-        asked = relations.state_named(state)
-        if asked.bears:
-            return bearers.get(target) == Borne(reference, asked)
-        return seen[target, reference][0] == asked
-
-    return tuple(goal for goal in problem.related if not holds(*goal))
-
-
-def is_reached(problem: Problem, grounding: Grounding) -> bool:
-    """Say whether all goals are met as the objects stand now."""
-    return problem.is_met(problem.scene().positions) and not unmet_relations(problem, grounding)
-
-
-def relations_of(grounding: Grounding, problem: Problem) -> RelationOperators:
-    """Return what a domain knows of relations.
-
-    Args:
-        grounding: The learned domain.
-        problem: The problem that needs it.
-
-    Raises:
-        InvalidValue: If it knows nothing of them.
-    """
-    if grounding.relations is None:
-        raise InvalidValue(
-            f"The problem {problem.name} is one of relations, and the domain {grounding.name} has learned "
-            "none; valid: a problem with goals on the table, or a domain with relations."
-        )
-    return grounding.relations
-
-
-def is_relational(problem: Problem, grounding: Grounding) -> bool:
-    """Say whether a problem is one of relations: it asks for some, or begins with some."""
-    return bool(problem.related) or bool(grounding.relations and bearers_of(problem, grounding.relations))
-
-
-_Seen = dict[tuple[str, str], tuple[PairState, float]]
-_REMEMBERED = 4
-_latest: list[tuple[Problem, RelationOperators, _Seen]] = []
-
-
-def _seen(problem: Problem, relations: RelationOperators) -> _Seen:
-    """Return the state of each pair, and how far it is from what is typical of that; kept for a while."""
-    for known, learned, seen in _latest:
-        if known is problem and learned is relations:
-            return seen
-    scene, contacts, names = problem.scene(), touching(problem), problem.object_names
-    found = {}
-    for target, reference in permutations(range(len(scene)), 2):
-        described = tuple(describe_pair(scene, target, reference, contacts).tolist())
-        state = relations.of(described)
-        found[names[target], names[reference]] = state, relations.misfit(described, state)
-    _latest.insert(0, (problem, relations, found))
-    del _latest[_REMEMBERED:]
-    return found

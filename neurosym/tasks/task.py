@@ -15,22 +15,14 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import Bool, Float
+from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator, Symbol
-from neurosym.pair_operators import Case, PairState, case_of, extent
-from neurosym.problems import ROUNDED, Problem, pair_key
-from neurosym.tasks.options import (
-    Move,
-    Put,
-    as_moves,
-    carriers_for,
-    moves_for,
-    puts_for,
-    puts_of,
-    step_cost,
-)
+from neurosym.pair_operators import Case, PairState, RelationOperators, case_of, extent
+from neurosym.problems import ROUNDED, Problem, RelationGoal, pair_key
+from neurosym.tasks.options import Move, Put, as_moves, carriers_for, moves_for, puts_for, puts_of, step_cost
 from neurosym.tasks.promises import usable
-from neurosym.tasks.supports import Borne, bearers_of, kinds_of, loads_of, relations_of
+from neurosym.tasks.supports import Borne, Seen, bearers_of, kinds_of, loads_of, seen_states
 from neurosym.world import Table
 
 # Footprints: how far apart objects must be, not to stand in one another
@@ -41,10 +33,6 @@ def footprints_apart(problem: Problem, borne: Collection[str] = ()) -> Float[np.
 
     Footprints count as boxes along the axes, which may touch, whatever binary numbers make of their sizes. Of
     two that stand on the table and overlap at the start already nothing is asked.
-
-    Args:
-        problem: The problem.
-        borne: Names of the objects that rest on others.
     """
     sizes = np.array([item.features[:2] for item in problem.objects], dtype=float)
     apart = (sizes[:, None] + sizes) / 2 - ROUNDED
@@ -65,13 +53,7 @@ def overlapping(
 def near_some(
     spots: Float[np.ndarray, "N 2"], others: Float[np.ndarray, "K 2"], apart: Float[np.ndarray, "K 2"]
 ) -> Bool[np.ndarray, " N"]:
-    """Say which of some spots are nearer to some other than they must be, on both axes.
-
-    Args:
-        spots: The spots [m].
-        others: Where others are [m].
-        apart: How far apart the centres must be, for each of the others [m].
-    """
+    """Say which of some spots are nearer to some other than they must be, on both axes [all m]."""
     return np.asarray(np.any(np.all(np.abs(spots[:, None] - others) < apart, axis=-1), axis=-1))
 
 
@@ -89,16 +71,13 @@ ROOM = (0.02, 0.05)
 
 The fingers of the hand open along y, so there they need more.
 """
-SHARE = 0.5
-"""How far beside its goal an object may be set down by choice, as a share of the tolerance."""
+SHARE = 0.5  # how far beside its goal an object may be set down by choice, as a share of the tolerance
 GAP, LEAST_GAP = 0.05, 0.01
 """Room that is left around places to park on, for the hand; less, if else there are few [m]."""
 MOST_PARKS = 8
 """Places to park on at most: who waits is carried on before long, and planners try each for each object."""
-_CANDIDATES = 2000
+_CANDIDATES, _ROUNDS, _DIGITS = 2000, 200, 4
 _EDGE = 0.02  # how far inside the edge of the table places to park on lie [m]
-_ROUNDS = 200
-_DIGITS = 4
 
 
 def with_places(problem: Problem, grounding: Grounding) -> Problem:
@@ -107,11 +86,7 @@ def with_places(problem: Problem, grounding: Grounding) -> Problem:
     There is one for each goal on the table, moved a little where objects would nearly touch; see
     `goal_spots`. There are as many to park on as there are objects, though eight at most, where there is
     room: none of them overlaps an object as it stands, a goal or another one, whichever object stands there,
-    or at least if a small one does.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain; if nothing in it carries objects to places, the problem stays as it is.
+    or at least if a small one does. Where nothing carries objects to places, the problem stays as it is.
     """
     if grounding.places is None or problem.places:
         return problem
@@ -122,19 +97,14 @@ def with_places(problem: Problem, grounding: Grounding) -> Problem:
         and abs(goal[2] - problem.object_named(name).position[2]) <= problem.tolerance
     )
     spots = goal_spots(problem, grounding.table, names)
-    goals = {f"{GOAL}{name}": spots[name] for name in names}
+    goals = {f"{GOAL}{name}": spot for name, spot in spots.items()}
     parks = _parks(problem, grounding.table, goals)
     found = {f"{PARK}{number:02d}": spot for number, spot in enumerate(parks, start=1)}
     return msgspec.structs.replace(problem, places={**goals, **found})
 
 
 def check_place(name: str, problem: Problem, grounding: Grounding) -> None:
-    """Raise an error unless a problem has a place of a name, and it lies on the table.
-
-    Args:
-        name: The name; spots say themselves where they lie.
-        problem: The problem, with its places.
-        grounding: The learned domain.
+    """Raise an error unless a problem has a place of a name, or it is a spot, and it lies on the table.
 
     Raises:
         InvalidValue: If no name is given, or it lies off the table.
@@ -163,7 +133,7 @@ def _parks(
         free = ~near_some(candidates, np.array(spots), (np.array(rooms) + size) / 2 + gap)
         while free.any() and len(parks) < parks_wanted(problem):
             spot = candidates[free.argmax()]
-            parks.append((round(float(spot[0]), 4), round(float(spot[1]), 4)))
+            parks.append((round(float(spot[0]), _DIGITS), round(float(spot[1]), _DIGITS)))
             spots.append(spot)
             rooms.append(size)
             free &= ~near_some(candidates, spot[None], (size + gap)[None])
@@ -173,25 +143,6 @@ def _parks(
 def parks_wanted(problem: Problem) -> int:
     """Return how many places to park on a problem has where there is room."""
     return min(len(problem.objects), MOST_PARKS)
-
-
-def blockers(
-    name: str, spot: tuple[float, float], problem: Problem, apart: Float[np.ndarray, "M M 2"]
-) -> tuple[str, ...]:
-    """Name the other objects that stand where an object would come to stand.
-
-    Args:
-        name: The object.
-        spot: Where its centre would be [m].
-        problem: The problem, with the objects as they stand now.
-        apart: How far apart two objects must be; see `footprints_apart`.
-    """
-    row = problem.object_names.index(name)
-    here = problem.scene().positions[:, :2]
-    over = overlapping(np.array(spot), here, apart[row])
-    return tuple(
-        other for other, is_over in zip(problem.object_names, over, strict=True) if is_over and other != name
-    )
 
 
 def is_at(name: str, spot: tuple[float, float], problem: Problem) -> bool:
@@ -204,11 +155,6 @@ def goal_spots(problem: Problem, table: Table, names: tuple[str, ...]) -> dict[s
     """Return where on the table each object is to be carried, at most half the tolerance beside its goal [m].
 
     What stands at its goal already, or has none, stays where it is, and the others keep away from it.
-
-    Args:
-        problem: The problem, with the objects as they stand now.
-        table: Where objects may be set down.
-        names: Objects with goals on the table.
     """
     if not names:
         return {}
@@ -266,7 +212,10 @@ def occupants(problem: Problem, carried: Sequence[str]) -> dict[str, tuple[str, 
     names, spots = list(problem.places), np.array([*problem.places.values()], dtype=float)
     sizes = {item.name: np.array(item.features[:2], dtype=float) for item in problem.objects}
     smallest = np.min([*sizes.values()], axis=0)
-    owners = {name: _owners(name, problem) for name in names}
+    owners = {  # the objects whose goals are met there
+        name: [one for one in problem.goals if not name.startswith(PARK) and is_at(one, spot, problem)]
+        for name, spot in problem.places.items()
+    }
     rooms = np.array(  # (P, 2), what stands at each place at most [m]
         [np.max([smallest, *(sizes[one] for one in owners[name])], axis=0) for name in names]
     )
@@ -284,15 +233,7 @@ def occupants(problem: Problem, carried: Sequence[str]) -> dict[str, tuple[str, 
     return {name: tuple(sorted(things)) for name, things in found.items()}
 
 
-def _owners(place: str, problem: Problem) -> tuple[str, ...]:
-    """Name the objects whose goal is met at a place that is none to park on."""
-    if place.startswith(PARK):
-        return ()
-    return tuple(name for name in problem.goals if is_at(name, problem.place_named(place), problem))
-
-
-Pair = tuple[str, str]
-"""Names of a target and of a reference."""
+Pair = tuple[str, str]  # names of a target and of a reference
 Spot = tuple[float, float]
 MOST_BORNE = 2
 """So many objects another one bears in a plan, unless a problem has or asks for more: each count is one more
@@ -301,24 +242,25 @@ thing for planners to look at."""
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """A problem and a learned domain together; see `understand`.
+    """A problem and a learned domain together; see `understand`."""
 
-    Attributes:
-        problem: The problem.
-        grounding: The learned domain.
-        kinds: Kinds of the pairs of objects, if the domain knows any; see `pair_key`.
-        supports: What bears each object that another one bears at the start.
-    """
-
-    problem: Problem
-    grounding: Grounding
-    kinds: Mapping[str, Symbol]
-    supports: Mapping[str, Borne]
+    problem: Problem  # the problem
+    grounding: Grounding  # the learned domain
+    kinds: Mapping[str, Symbol]  # kinds of the pairs of objects, if the domain knows any; see `pair_key`
+    seen: Seen  # the states of the pairs at the start
+    supports: Mapping[str, Borne]  # what bears each object that another one bears at the start
 
     @cached_property
     def flat(self) -> Problem:
-        """The problem with every object on the table, and with its places."""
-        return with_places(_flattened(self.problem, self.supports), self.grounding)
+        """The problem with every object as high as it is when it stands on the table, and with its places."""
+        scene = self.problem.scene()
+        objects = [
+            msgspec.structs.replace(item, position=(*item.position[:2], float(extent(scene, row)[2]) / 2))
+            if item.name in self.supports
+            else item
+            for row, item in enumerate(self.problem.objects)
+        ]
+        return with_places(msgspec.structs.replace(self.problem, objects=tuple(objects)), self.grounding)
 
     @cached_property
     def room(self) -> Float[np.ndarray, "2 M 2"]:
@@ -367,18 +309,17 @@ class Task:
             name
             for name in self.names
             if name in self.carriers
-            and (name not in self.problem.goals or self.relates or self._has_goal_place(name))
+            and (
+                name not in self.problem.goals
+                or self.relates
+                or any(is_at(name, spot, self.flat) for spot in self.places.values())
+            )
         )
-
-    def _has_goal_place(self, name: str) -> bool:
-        return any(is_at(name, spot, self.flat) for spot in self.places.values())
 
     @cached_property
     def led(self) -> tuple[str, ...]:
         """Names of the objects that are led over cells: those with a goal that cannot be carried to it."""
-        if self.relates:
-            return ()
-        goals = self.problem.goals
+        goals = () if self.relates else self.problem.goals
         return tuple(name for name in self.names if name in goals and name not in self.carried)
 
     @cached_property
@@ -393,7 +334,9 @@ class Task:
 
     def blockers(self, name: str, spot: Spot) -> tuple[str, ...]:
         """Name the other objects on the table that stand at first where an object would come to stand."""
-        found = blockers(name, spot, self.flat, self.apart)
+        row, here = self.names.index(name), self.problem.scene().positions[:, :2]
+        over = np.flatnonzero(overlapping(np.array(spot), here, self.apart[row]))
+        found = (self.names[other] for other in over if other != row)
         return tuple(other for other in found if other not in self.supports)
 
     def carry_cost(self, name: str, *, borne: bool = False) -> int:
@@ -438,10 +381,6 @@ _latest: list[tuple[Problem, Grounding, Task]] = []
 def understand(problem: Problem, grounding: Grounding) -> Task:
     """Work out what a problem and a learned domain mean together; the same again for the same two.
 
-    Args:
-        problem: The problem, with the objects as they stand now.
-        grounding: The learned domain.
-
     Raises:
         InvalidValue: If the problem asks for relations, and the domain knows none.
     """
@@ -450,10 +389,50 @@ def understand(problem: Problem, grounding: Grounding) -> Task:
             return task
     relations = relations_of(grounding, problem) if problem.related else grounding.relations
     kinds = kinds_of(problem, relations)
-    task = Task(problem, grounding, kinds, bearers_of(problem, relations, kinds) if relations else {})
+    seen = seen_states(problem, relations) if relations else {}
+    supports = bearers_of(problem, relations, kinds, seen) if relations else {}
+    task = Task(problem, grounding, kinds, seen, supports)
     _latest.insert(0, (problem, grounding, task))
     del _latest[_REMEMBERED:]
     return task
+
+
+def relations_of(grounding: Grounding, problem: Problem) -> RelationOperators:
+    """Return what a domain knows of relations; `InvalidValue` if it knows nothing that the problem needs."""
+    if grounding.relations is None:
+        raise InvalidValue(
+            f"The problem {problem.name} is one of relations, and the domain {grounding.name} has learned "
+            "none; valid: a problem with goals on the table, or a domain with relations."
+        )
+    return grounding.relations
+
+
+def unmet_relations(problem: Problem, grounding: Grounding) -> tuple[RelationGoal, ...]:
+    """List the goals by relation that do not hold as the objects stand now.
+
+    Where a goal is that an object bears another one, it must be that one itself that bears it.
+    """
+    if not problem.related:
+        return ()
+    task = understand(problem, grounding)
+
+    def holds(target: str, reference: str, name: str) -> bool:
+        asked = task.state_named(name)
+        if asked.bears:
+            return task.supports.get(target) == Borne(reference, asked)
+        return task.seen[target, reference][0] == asked
+
+    return tuple(goal for goal in problem.related if not holds(*goal))
+
+
+def is_reached(problem: Problem, grounding: Grounding) -> bool:
+    """Say whether all goals are met as the objects stand now."""
+    return problem.is_met(problem.scene().positions) and not unmet_relations(problem, grounding)
+
+
+def is_relational(problem: Problem, grounding: Grounding) -> bool:
+    """Say whether a problem is one of relations: it asks for some, or begins with some."""
+    return bool(problem.related) or bool(grounding.relations and understand(problem, grounding).supports)
 
 
 def _surest(puts: tuple[Put, ...]) -> tuple[Put, ...]:
@@ -466,13 +445,3 @@ def _surest(puts: tuple[Put, ...]) -> tuple[Put, ...]:
             if key not in found or option.chance > found[key].chance:
                 found[key] = option
     return tuple(found.values())
-
-
-def _flattened(problem: Problem, borne: Collection[str]) -> Problem:
-    """Return a problem whose borne objects are as high as they are when they stand on the table."""
-    scene, objects = problem.scene(), list(problem.objects)
-    for row, item in enumerate(objects):
-        if item.name in borne:
-            low = (*item.position[:2], float(extent(scene, row)[2]) / 2)
-            objects[row] = msgspec.structs.replace(item, position=low)
-    return msgspec.structs.replace(problem, objects=tuple(objects))

@@ -4,8 +4,9 @@ A state says where objects are, what bears what, which place each stands at, and
 step leads is what its operator promises for the object or pair at hand, whatever kind of step it is.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from neurosym.checks import Float, check_kind
 from neurosym.errors import counted, in_millimetres
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Operator
-from neurosym.pair_operators import RelationOperator, case_of, extent
+from neurosym.pair_operators import Company, case_of, extent
 from neurosym.problems import Problem, pair_key
 from neurosym.tasks.options import PUT_DOWN, Put, chance_borne, put_named, step_cost
 from neurosym.tasks.promises import promised
@@ -21,25 +22,15 @@ from neurosym.tasks.supports import Borne, carried_along, chain_below, loads_of
 from neurosym.tasks.task import START, Task, overlapping, understand
 from neurosym.world import Scene
 
-# Plans as steps, and steps as text.
-#
-# A step is one primitive on one object. `ground_plan` prints steps with cells and places, as the printed
-# domain has them; `plan_reading` reads what planners print.
-
 
 @dataclass(frozen=True, slots=True)
 class PlanStep:
-    """One step of a plan.
+    """One step of a plan: one primitive on one object."""
 
-    Attributes:
-        operator: Name of an operator, or `put-down-` and the name of the operator that lifted the object.
-        object: Name of the object.
-        place: Name of the place that the object is carried to, or of the other object that it is put on or
-            into; empty if it is neither. Places and objects of a problem share no name.
-    """
-
-    operator: str
-    object: str
+    operator: str  #: Name of an operator, or `put-down-` and the name of the operator that lifted the object
+    object: str  #: Name of the object
+    #: Name of the place that the object is carried to, or of the other object that it is put on or into;
+    #: empty if it is neither. Places and objects of a problem share no name
     place: str = ""
 
     def __post_init__(self) -> None:
@@ -62,7 +53,7 @@ Steps = tuple[tuple[str, ...], ...]
 
 
 def named_steps(steps: Iterable[PlanStep]) -> Steps:
-    """Return the operator and the object of each step, and the place if it has one."""
+    """Return steps as records hold them."""
     return tuple((step.operator, step.object, *filter(None, (step.place,))) for step in steps)
 
 
@@ -72,12 +63,7 @@ def primitives(steps: Iterable[PlanStep]) -> int:
 
 
 def print_plan(steps: Sequence[PlanStep], comment: str = "") -> str:
-    """Print a plan in IPC form, one `(operator object)` a line.
-
-    Args:
-        steps: The plan.
-        comment: What the last line says; by default how many steps there are.
-    """
+    """Print a plan in IPC form, one `(operator object)` a line, and a comment or how many there are."""
     lines = [f"({' '.join(words)})" for words in named_steps(steps)]
     said = comment or counted(primitives(steps), "primitive")
     return "\n".join([*lines, f"; {' '.join(said.split())}"]) + "\n"
@@ -85,88 +71,50 @@ def print_plan(steps: Sequence[PlanStep], comment: str = "") -> str:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class State:
-    """How the objects of a task are by now.
+    """How the objects of a task are by now."""
 
-    Attributes:
-        positions: Their centres [m], in the problem's order.
-        supports: What bears each object that another one bears.
-        stands: The place that each other object stands at: where it started, until it was carried.
-        held: The step that lifted what the hand holds, if it holds something.
-    """
-
-    positions: Float[np.ndarray, "M 3"]
-    supports: Mapping[str, Borne]
+    positions: Float[np.ndarray, "M 3"]  # their centres [m], in the problem's order
+    supports: Mapping[str, Borne]  # what bears each object that another one bears
+    # the place that each other object stands at: where it started, until it was carried
     stands: Mapping[str, str]
-    held: PlanStep | None = None
+    held: PlanStep | None = None  # the step that lifted what the hand holds, if it holds something
 
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """Why a step is not possible.
+    """Why a step is not possible."""
 
-    Attributes:
-        sentence: Why not.
-        concerned: Names of the other objects that this is about.
-        is_afterwards: Whether it is known where the step would lead, and that is what is wrong.
-    """
-
-    sentence: str
-    concerned: tuple[str, ...] = ()
-    is_afterwards: bool = False
+    sentence: str  # why not
+    concerned: tuple[str, ...] = ()  # names of the other objects that this is about
+    is_afterwards: bool = False  # whether it is known where the step would lead, and that is what is wrong
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Replay:
-    """What a plan promises, step by step.
+    """What a plan promises, step by step."""
 
-    Attributes:
-        positions: Centres of the objects before the first step and after each [m]; a plan that fails ends
-            with the step that is impossible.
-        possible: Whether every step is possible.
-        valid: Whether every step is possible and the goal is met.
-        reason: Why not; empty if valid.
-        failed: The step that is impossible, and why, if one is.
-        concerned: Names of the objects that the reason is about, the one that was moved first.
-        number: Number of the step that is impossible, counted from 1; putting down belongs to its lift.
-    """
-
+    # centres of the objects before the first step and after each [m]; a plan that fails ends with the step
+    # that is impossible
     positions: Float[np.ndarray, "steps M 3"]
-    possible: bool
-    valid: bool
-    reason: str
-    failed: tuple[PlanStep, str] | None = None
+    possible: bool  # whether every step is possible
+    valid: bool  # whether every step is possible and the goal is met
+    reason: str  # why not; empty if valid
+    failed: tuple[PlanStep, str] | None = None  # the step that is impossible, if one is, and why
+    # names of the objects that the reason is about, the one that was moved first
     concerned: tuple[str, ...] = ()
+    # number of the step that is impossible, counted from 1; putting down belongs to its lift
     number: int | None = None
 
 
 def start(task: Task) -> State:
-    """Return how the objects of a task are at first.
-
-    Args:
-        task: The task.
-    """
+    """Return how the objects of a task are at first."""
     stands = {name: f"{START}{name}" for name in task.names if name not in task.supports}
     return State(task.problem.scene().positions, task.supports, stands)
 
 
 def validate(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Replay:
-    """Replay a plan with exact displacements, before it is believed.
-
-    Args:
-        steps: The plan.
-        problem: The problem it is for, which has every object that the plan names.
-        grounding: The learned domain.
-    """
-    return replay(understand(problem, grounding), steps)
-
-
-def replay(task: Task, steps: Sequence[PlanStep]) -> Replay:
-    """Replay a plan with what its operators promise.
-
-    Args:
-        task: The task, which has every object that the plan names.
-        steps: The plan.
-    """
+    """Replay a plan for a problem with exact displacements, before it is believed."""
+    task = understand(problem, grounding)
     now, number = start(task), 0
     positions = [now.positions]
     for step in steps:
@@ -195,57 +143,39 @@ def refusal(task: Task, state: State, step: PlanStep) -> Refusal | None:
     Raises:
         UnknownChoice: If there is no such operator, object or place.
     """
-    if said := _why_no_step(task, step):
-        return Refusal(said)
-    put = _put(task, state, step)
-    operator = None if put else operator_for(step, task.problem, task.grounding)
-    if said := _hand_refusal(step, state.held, operator):
-        return Refusal(said, (state.held.object,) if state.held and not step.puts_down else ())
-    if put:
-        return _why_not_put(task, state, step, put)
-    taken = _why_not_carried if step.place else _why_not_alone
-    return taken(task, state, step) or _why_not_there(task, apply(task, state, step), step)
+    return next(_refusals(task, state, step), None)
 
 
 def apply(task: Task, state: State, step: PlanStep) -> State:
-    """Return how the objects are after a step, whether it is possible or not.
-
-    Args:
-        task: The task.
-        state: How the objects are now.
-        step: The step.
-    """
-    target, grounding = step.object, task.grounding
+    """Return how the objects are after a step, whether it is possible or not; see `refusal`."""
+    target, grounding, after = step.object, task.grounding, state.positions.copy()
     row = task.names.index(target)
     if not step.place:
         operator = operator_for(step, task.problem, grounding)
         by = grounding.put_down_displacement if step.puts_down else grounding.displacement
-        after = state.positions.copy()
         after[row] += by(operator)
         held = step if is_lift(operator) and not step.puts_down else None
         return replace(state, positions=after, held=held)
-    put = _put(task, state, step)
+    put, scene = _put(task, state, step), task.problem.scene()
     supports, stands = dict(state.supports), dict(state.stands)
-    there = _where_put(task, state, step, put) if put else _where_carried(task, step)
-    moved = [row, *(task.names.index(one) for one in carried_along(target, state.supports))]
-    after = state.positions.copy()
-    after[moved] += there - state.positions[row]
-    stands.pop(target, None)
-    supports.pop(target, None)
+    for there in (supports, stands):
+        there.pop(target, None)
     if put:
+        other = task.names.index(step.place)
+        now = Scene(scene.features, state.positions, scene.orientations)
+        halves = (extent(now, row) + extent(now, other)) / 2
+        spot = state.positions[other] + np.array(put.end.offset) * halves
         supports[target] = Borne(step.place, put.state)
-    else:
+    else:  # who carries it makes up for where it hangs from the hand
+        spot = np.array([*task.flat.place_named(step.place), extent(scene, row)[2] / 2])
         stands[target] = step.place
+    moved = [row, *(task.names.index(one) for one in carried_along(target, state.supports))]
+    after[moved] += spot - state.positions[row]
     return State(after, supports, stands)
 
 
 def missed(task: Task, state: State) -> tuple[str, str] | None:
-    """Name the first object that misses its goal now, and say how; None if none does.
-
-    Args:
-        task: The task.
-        state: How the objects are now.
-    """
+    """Name the first object that misses its goal now, and say how; None if none does."""
     for target, reference, name in task.problem.related:
         asked, borne = task.state_named(name), state.supports.get(target)
         if borne != Borne(reference, asked):
@@ -260,13 +190,7 @@ def missed(task: Task, state: State) -> tuple[str, str] | None:
 
 
 def chance(task: Task, state: State, step: PlanStep) -> float:
-    """Return the chance that a step goes as promised now.
-
-    Args:
-        task: The task.
-        state: How the objects are now.
-        step: The step.
-    """
+    """Return the chance that a step goes as promised now; see `refusal`."""
     if put := _put(task, state, step):
         return put.chance
     operator = promise_of(step, task.problem, task.grounding)
@@ -274,13 +198,7 @@ def chance(task: Task, state: State, step: PlanStep) -> float:
 
 
 def cost(task: Task, state: State, step: PlanStep) -> int:
-    """Return what a step costs now; putting down costs nothing.
-
-    Args:
-        task: The task.
-        state: How the objects are now.
-        step: The step.
-    """
+    """Return what a step costs now, see `refusal`; putting down costs nothing."""
     if step.puts_down:
         return 0
     if put := _put(task, state, step):
@@ -298,8 +216,7 @@ def operator_for(
         step: The step.
         problem: The problem, which has the object.
         grounding: The learned domain.
-        tolerance: How near an outcome must come to the promise to have kept it [m]; that of the goals if not
-            given.
+        tolerance: How near an outcome must come to have kept the promise [m]; by default as to goals.
 
     Raises:
         UnknownChoice: If there is no such operator or object.
@@ -315,14 +232,8 @@ def promise_of(step: PlanStep, problem: Problem, grounding: Grounding) -> Operat
 
 
 def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
-    """Say which step of a plan asks the hand for what it cannot do, or nothing if none does.
-
-    Args:
-        steps: The plan.
-        grounding: The learned domain.
-    """
-    held: PlanStep | None = None
-    number = 0
+    """Say which step of a plan asks the hand for what it cannot do, or nothing if none does."""
+    held, number = None, 0
     for step in steps:
         number = max(1, number + (not step.puts_down))
         if grounding.relation_named(step.base):
@@ -363,59 +274,62 @@ def _put(task: Task, state: State, step: PlanStep) -> Put | None:
     if put is None:
         return None
     target, supports = step.object, state.supports
-    others = {one for one in loads_of(step.place, supports) if one != target}
-    case = case_of(target in supports, bool(others), bool(loads_of(target, supports)))
+    is_occupied = bool({*loads_of(step.place, supports)} - {target})
+    case = case_of(target in supports, is_occupied, bool(loads_of(target, supports)))
     return replace(put.with_pair(task.problem, target, step.place), case=case)
 
 
-def _where_put(task: Task, state: State, step: PlanStep, put: Put) -> Float[np.ndarray, "3"]:
-    scene = task.problem.scene()
-    now = Scene(scene.features, state.positions, scene.orientations)
-    row, other = task.names.index(step.object), task.names.index(step.place)
-    halves = (extent(now, row) + extent(now, other)) / 2
-    return np.asarray(state.positions[other] + np.array(put.end.offset) * halves)
+def _refusals(task: Task, state: State, step: PlanStep) -> Iterator[Refusal]:
+    """Say what is wrong with a step now; each thing is looked at if nothing before it is."""
+    if said := _why_no_step(task, step):
+        yield Refusal(said)
+    put, target = _put(task, state, step), step.object
+    operator = None if put else operator_for(step, task.problem, task.grounding)
+    if said := _hand_refusal(step, state.held, operator):
+        yield Refusal(said, (state.held.object,) if state.held and not step.puts_down else ())
+    if put:
+        yield from _why_not_put(task, state, step, put)
+    elif step.place:
+        own = promised(task.grounding, task.problem.object_named(target), task.problem.tolerance)
+        if step.operator not in own:
+            yield _wrong(f"it is not for {target}")
+        yield from _why_not_taken(state, target, partial(task.grounding.takes, own[step.operator]))
+    elif task.relates:
+        yield Refusal("it neither puts its object on another nor carries it to a place")
+    else:  # nobody rehearsed to push or lift what bears something or is borne
+        if borne := state.supports.get(target):
+            yield Refusal(f"{target} rests on {borne.by}, and is not carried", (borne.by,))
+        for load in loads_of(target, state.supports):
+            yield Refusal(f"{target} bears {load}, and is not carried", (load,))
+    if not put:
+        yield from _why_not_there(task, apply(task, state, step), target)
 
 
-def _where_carried(task: Task, step: PlanStep) -> Float[np.ndarray, "3"]:
-    """Return where an object stands at a place: who carries it makes up for where it hangs from the hand."""
-    height = extent(task.problem.scene(), task.names.index(step.object))[2] / 2
-    return np.array([*task.flat.place_named(step.place), height])
-
-
-def _why_not_put(task: Task, state: State, step: PlanStep, put: Put) -> Refusal | None:
+def _why_not_put(task: Task, state: State, step: PlanStep, put: Put) -> Iterator[Refusal]:
     target, reference = step.object, step.place
     kind = task.kinds.get(pair_key(target, reference))
     others = [one for one in loads_of(reference, state.supports) if one != target]
     if not put.operator.is_for(kind):
-        return _wrong(f"it is not for {target} with {reference}, a pair of the kind {kind}", reference)
+        yield _wrong(f"it is not for {target} with {reference}, a pair of the kind {kind}", reference)
     if target in chain_below(reference, state.supports):
-        return _wrong(f"{reference} rests on {target} itself", reference)
+        yield _wrong(f"{reference} rests on {target} itself", reference)
     if others and not put.operator.takes("occupied"):
-        return _wrong(f"{reference} bears {others[0]}, which rehearsals forbid", reference, others[0])
+        yield _wrong(f"{reference} bears {others[0]}, which rehearsals forbid", reference, others[0])
     if len(others) >= task.most_borne:
         said = f"{reference} bears {counted(len(others), 'object')}, and plans count no more"
-        return _wrong(said, reference)
+        yield _wrong(said, reference)
     if loads_of(target, state.supports) and reference not in state.stands:
-        return _wrong(f"{target} bears something, and {reference} stands at no place", reference)
-    return _why_not_taken(task, state, target, put.operator)
+        yield _wrong(f"{target} bears something, and {reference} stands at no place", reference)
+    yield from _why_not_taken(state, target, put.operator.takes)
 
 
-def _why_not_carried(task: Task, state: State, step: PlanStep) -> Refusal | None:
-    item, tolerance = task.problem.object_named(step.object), task.problem.tolerance
-    if (operator := promised(task.grounding, item, tolerance).get(step.operator)) is None:
-        return _wrong(f"it is not for {step.object}")
-    return _why_not_taken(task, state, step.object, operator)
-
-
-def _why_not_taken(
-    task: Task, state: State, target: str, operator: Operator | RelationOperator
-) -> Refusal | None:
-    borne, loads = state.supports.get(target), loads_of(target, state.supports)
-    if borne and not task.grounding.takes(operator, "borne"):
-        return _wrong(f"{target} rests on {borne.by}, which rehearsals forbid", borne.by)
-    if loads and not task.grounding.takes(operator, "laden"):
-        return _wrong(f"{target} bears {loads[0]}, which rehearsals forbid", loads[0])
-    return None
+def _why_not_taken(state: State, target: str, takes: Callable[[Company], bool]) -> Iterator[Refusal]:
+    borne = state.supports.get(target)
+    if borne and not takes("borne"):
+        yield _wrong(f"{target} rests on {borne.by}, which rehearsals forbid", borne.by)
+    for load in loads_of(target, state.supports):
+        if not takes("laden"):
+            yield _wrong(f"{target} bears {load}, which rehearsals forbid", load)
 
 
 def _wrong(said: str, *concerned: str) -> Refusal:
@@ -423,29 +337,14 @@ def _wrong(said: str, *concerned: str) -> Refusal:
     return Refusal(said, concerned, is_afterwards=True)
 
 
-def _why_not_alone(task: Task, state: State, step: PlanStep) -> Refusal | None:
-    """Refuse to push or lift what bears something or is borne: nobody rehearsed that."""
-    if task.relates:
-        return Refusal("it neither puts its object on another nor carries it to a place")
-    borne, loads = state.supports.get(step.object), loads_of(step.object, state.supports)
-    if borne:
-        return Refusal(f"{step.object} rests on {borne.by}, and is not carried", (borne.by,))
-    if loads:
-        return Refusal(f"{step.object} bears {loads[0]}, and is not carried", (loads[0],))
-    return None
-
-
-def _why_not_there(task: Task, then: State, step: PlanStep) -> Refusal | None:
+def _why_not_there(task: Task, then: State, target: str) -> Iterator[Refusal]:
     """Refuse an object to be where it was moved to, off the table or in another that stands there."""
-    row, target = task.names.index(step.object), step.object
-    spot, room = then.positions[row, :2], task.room
-    if not np.all((spot >= room[0, row]) & (spot <= room[1, row])):
-        return _wrong(f"{target} leaves the table at x = {spot[0]:.3f}, y = {spot[1]:.3f} m")
-    if then.held:
-        return None
+    row = task.names.index(target)
+    spot, (low, high) = then.positions[row, :2], task.room[:, row]
+    if not np.all((spot >= low) & (spot <= high)):
+        yield _wrong(f"{target} leaves the table at x = {spot[0]:.3f}, y = {spot[1]:.3f} m")
     along = {target, *carried_along(target, then.supports)}
-    for other in np.flatnonzero(overlapping(spot, then.positions[:, :2], task.apart[row])):
-        name = task.names[int(other)]
+    over = () if then.held else np.flatnonzero(overlapping(spot, then.positions[:, :2], task.apart[row]))
+    for name in (task.names[int(other)] for other in over):
         if name not in along:
-            return _wrong(f"{target} ends where {name} is", name)
-    return None
+            yield _wrong(f"{target} ends where {name} is", name)

@@ -3,7 +3,6 @@
 What explores, auditions and rehearses without knowing of references does so here with one.
 """
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -44,14 +43,12 @@ class AimedScene(Scene):
 
 
 class Adapted:
-    """A world made of another: what it does not do in its own way, that one does.
-
-    Args:
-        world: That world.
-    """
+    """A world made of another: what it does not do in its own way, that one does."""
 
     def __init__(self, world: World):
         self._world = world
+        self.name, self.feature_names, self.action_box = world.name, world.feature_names, world.action_box
+        self.table, self.lift_height = world.table, world.lift_height
 
     def __getattr__(self, name: str) -> Any:
         """Give what else the world has, like its limits of objects."""
@@ -59,39 +56,9 @@ class Adapted:
             raise AttributeError(name)
         return getattr(self._world, name)
 
-    @property
-    def name(self) -> str:
-        """Name of the world that it is made of."""
-        return self._world.name
-
-    @property
-    def feature_names(self) -> tuple[str, ...]:
-        """Names of the object features."""
-        return self._world.feature_names
-
-    @property
-    def action_box(self) -> ActionBox:
-        """The box of the action parameters."""
-        return self._world.action_box
-
-    @property
-    def table(self) -> Table:
-        """Where objects may stand."""
-        return self._world.table
-
-    @property
-    def lift_height(self) -> float:
-        """How far the hand rises after the last waypoint [m]."""
-        return self._world.lift_height
-
 
 class Aimed(Adapted):
-    """A world in which every action is aimed at a place; else it is the world that it is made of.
-
-    Args:
-        world: That world, which takes places.
-        margin: How far inside the edge of the table places lie [m].
-    """
+    """A world in which every action is aimed at a place, so far inside the edge of the table [m]."""
 
     effect_axes = PLACE_AXES
 
@@ -100,18 +67,10 @@ class Aimed(Adapted):
         self._margin = margin
 
     def sample_scene(self, rng: np.random.Generator, objects: int) -> AimedScene:
-        """Draw a scene, and then a place anywhere on the table, where an object may stand.
-
-        Args:
-            rng: Source of randomness, owned by the caller.
-            objects: How many objects.
-
-        Raises:
-            InvalidValue: If so many objects do not fit on the table.
-        """
+        """Draw a scene, and then a place anywhere on the table, where an object may stand."""
         scene, table, margin = self._world.sample_scene(rng, objects), self._world.table, self._margin
         x, y = (float(rng.uniform(low + margin, high - margin)) for low, high in (table.x, table.y))
-        return AimedScene(scene.features, scene.positions, scene.orientations, Place(x, y))
+        return AimedScene(*_columns(scene), Place(x, y))
 
     def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
         """Perform an action that is aimed at what the scene says; see `World.interact`."""
@@ -120,28 +79,15 @@ class Aimed(Adapted):
 
 
 @dataclass(frozen=True, slots=True)
-class AdaptedFactory(ABC):
-    """Makes worlds that are made of others.
+class AimedFactory:
+    """Makes worlds in which every action is aimed at a place.
 
     Attributes:
         plain: Makes the world that they are made of.
+        margin: How far inside the edge of the table places lie [m].
     """
 
     plain: WorldFactory
-
-    def world(self) -> World:
-        """Make the world that they are made of."""
-        return made(self.plain)
-
-    @abstractmethod
-    def __call__(self) -> World:
-        """Make a world."""
-
-
-@dataclass(frozen=True, slots=True)
-class AimedFactory(AdaptedFactory):
-    """Makes worlds in which every action is aimed at a place, so far inside the edge of the table [m]."""
-
     margin: float = 0.0
 
     def __call__(self) -> World:
@@ -161,6 +107,7 @@ PAIR_AXES = 6
 """Axes of the effect of an action that is aimed at another object: where the target ends relative to it along
 x, y and z [touching units], whether they touch, how far it is tilted, and 1, if it was carried there; else
 zeros."""
+_COLUMNS = ("features", "positions", "orientations")
 OBJECTS = (2, 4)
 """How many objects a scene has, at least and at most."""
 WIDEST_BELOW = 0.5
@@ -191,9 +138,7 @@ class RelatedScene(Scene):
 class Related(Adapted):
     """A world in which every action is aimed at another object.
 
-    Args:
-        world: The world that it is made of, which takes objects as references.
-        propose: Draws actions that do something to the target alone, to try them with a reference.
+    What draws actions that do something to the target alone is tried with a reference, too.
     """
 
     effect_axes = PAIR_AXES
@@ -201,23 +146,15 @@ class Related(Adapted):
 
     def __init__(self, world: World, propose: Propose | None = None):
         super().__init__(world)
+        self.feature_names = tuple(
+            f"{which} {name}" for which in ("target", "reference") for name in world.feature_names
+        )
         self._propose = propose
         self.archive: list[Scene] = []
 
-    @property
-    def feature_names(self) -> tuple[str, ...]:
-        """Names of the features of the target, and then of the reference."""
-        names = self._world.feature_names
-        return (*(f"target {name}" for name in names), *(f"reference {name}" for name in names))
-
     def sample_scene(self, rng: np.random.Generator, objects: int) -> RelatedScene:
-        """Draw a scene with a pair of objects, and none to two bystanders.
-
-        Args:
-            rng: Source of randomness, owned by the caller.
-            objects: How many pairs: one.
-        """
-        del objects
+        """Draw a scene with one pair of objects, and none to two bystanders."""
+        del objects  # of which it shows one
         if self.archive and rng.random() < FROM_ARCHIVE:
             scene = self.archive[rng.integers(len(self.archive))]
             order = rng.permutation(len(scene))
@@ -230,17 +167,10 @@ class Related(Adapted):
         return as_pair(taken(scene, order))
 
     def draw_actions(self, rng: np.random.Generator, scene: Scene, count: int) -> Float[np.ndarray, "_ A"]:
-        """Draw actions to choose from: half of them from what is known to do something to the target.
-
-        Args:
-            rng: Source of randomness, owned by the caller.
-            scene: The pair.
-            count: How many.
-        """
+        """Draw so many actions to choose from: half of them are known to do something to the target."""
         drawn = self.action_box.sample(rng, count)
         if self._propose is not None:
-            features = scene.features[0, : len(self._world.feature_names)]
-            known = self._propose(rng, features, count // 2)
+            known = self._propose(rng, scene.features[0, : len(self._world.feature_names)], count // 2)
             drawn[: len(known)] = known
         return drawn[rng.permutation(count)]
 
@@ -252,12 +182,9 @@ class Related(Adapted):
         return self._world.interact(scene.whole, action, TARGET, **options, **aim)
 
     def remember(self, outcomes: Sequence[Outcome]) -> None:
-        """Archive ends of interactions in which objects touch, to begin others from.
+        """Archive ends of interactions in which objects touch, in order, to begin others from.
 
         Scenes in which an object was lost, or leans, are left out.
-
-        Args:
-            outcomes: What happened, in order.
         """
         table = self._world.table
         for outcome in outcomes:
@@ -271,34 +198,24 @@ class Related(Adapted):
         """Return the archive as arrays, one scene after the other."""
         if not self.archive:
             return {}
-        parts = ("features", "positions", "orientations")
-        rows = {name: np.concatenate([getattr(scene, name) for scene in self.archive]) for name in parts}
-        return {**rows, "objects": np.array([len(scene) for scene in self.archive])}
+        rows = joined(self.archive)
+        objects = np.array([len(scene) for scene in self.archive])
+        return {**{name: getattr(rows, name) for name in _COLUMNS}, "objects": objects}
 
     def recall(self, memory: Mapping[str, np.ndarray]) -> None:
-        """Take back an archive.
-
-        Args:
-            memory: What `memory` returned.
-
-        Raises:
-            ValueError: If it is damaged.
-        """
+        """Take back an archive that `memory` returned; raise `ValueError` if it is damaged."""
         if not memory:
             return
         ends = np.cumsum(memory["objects"])[:-1]
-        columns = [np.split(memory[name], ends) for name in ("features", "positions", "orientations")]
+        columns = [np.split(memory[name], ends) for name in _COLUMNS]
         self.archive = [Scene(*rows) for rows in zip(*columns, strict=True)]
 
 
 @dataclass(frozen=True, slots=True)
-class RelatedFactory(AdaptedFactory):
-    """Makes worlds in which every action is aimed at another object.
+class RelatedFactory:
+    """Makes worlds in which every action is aimed at another object; see `Related`."""
 
-    Attributes:
-        propose: Draws actions that do something to the target alone.
-    """
-
+    plain: WorldFactory
     propose: Propose | None = None
 
     def __call__(self) -> World:
@@ -323,8 +240,7 @@ def taken(scene: Scene, order: Sequence[int] | np.ndarray) -> Scene:
         scene: The objects.
         order: Which come first.
     """
-    rows = np.asarray(order)
-    return Scene(scene.features[rows], scene.positions[rows], scene.orientations[rows])
+    return Scene(*(column[np.array(order, dtype=int)] for column in _columns(scene)))
 
 
 # Worlds in which other objects stand close around each that an action is tried on.
@@ -358,13 +274,12 @@ class Crowded(Aimed):
         scene = super().sample_scene(rng, objects)
         drawn = (super(Crowded, self).sample_scene(rng, 1) for _ in _SIDES)
         around = _around(scene, [*drawn], self._world.table, rng)
-        return CrowdedScene(scene.features, scene.positions, scene.orientations, scene.reference, around)
+        return CrowdedScene(*_columns(scene), scene.reference, around)
 
     def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
         """Perform an action among neighbours; see `Aimed.interact`."""
         if isinstance(scene, CrowdedScene):
-            every = joined([scene, scene.neighbours])
-            scene = AimedScene(every.features, every.positions, every.orientations, scene.reference)
+            scene = AimedScene(*_columns(joined([scene, scene.neighbours])), scene.reference)
         return super().interact(scene, action, target, **options)
 
 
@@ -378,30 +293,21 @@ class CrowdedFactory(AimedFactory):
 
 
 def _around(scene: AimedScene, others: list[AimedScene], table: Table, rng: np.random.Generator) -> Scene:
-    """Put objects on the sides of another: those that fit, none where it is to be carried.
-
-    Args:
-        scene: The object, and where it is to be carried.
-        others: One object each, one for each side.
-        table: Where they may stand.
-        rng: Source of randomness.
-    """
+    """Put objects on the sides of another, one on each: those that fit, none where it is to be carried."""
     half, centre = scene.features[0, :2] / 2, scene.positions[0, :2]
     boxes = [(scene.reference.centre[:2], half, ROOM)]
-    kept = list[Scene]()
+    kept = [taken(scene, [])]
     for (axis, sign), other in zip(_SIDES, others, strict=True):
-        reach = half + other.features[0, :2] / 2
+        size = other.features[0, :2] / 2
+        reach = half + size
         away = rng.uniform(-reach / 2, reach / 2)
         away[axis] = sign * (reach[axis] + rng.uniform(*GAPS))
-        position = np.array([[*(centre + away), other.positions[0, 2]]])
-        is_free = all(
-            np.any(np.abs(position[0, :2] - at) > other.features[0, :2] / 2 + size + gap)
-            for at, size, gap in boxes
-        )
-        if table.contains(position[0]) and is_free:
-            boxes.append((position[0, :2], other.features[0, :2] / 2, _APART))
-            kept.append(Scene(other.features, position, other.orientations))
-    return joined([Scene(scene.features[:0], scene.positions[:0], scene.orientations[:0]), *kept])
+        position = np.array([*(centre + away), other.positions[0, 2]])
+        is_free = all(np.any(np.abs(position[:2] - at) > size + wide + gap) for at, wide, gap in boxes)
+        if table.contains(position) and is_free:
+            boxes.append((position[:2], size, _APART))
+            kept.append(Scene(other.features, position[None], other.orientations))
+    return joined(kept)
 
 
 def joined(scenes: Sequence[Scene]) -> Scene:
@@ -410,8 +316,11 @@ def joined(scenes: Sequence[Scene]) -> Scene:
     Args:
         scenes: The scenes, at least one.
     """
-    parts = ("features", "positions", "orientations")
-    return Scene(*(np.concatenate([getattr(scene, part) for scene in scenes]) for part in parts))
+    return Scene(*map(np.concatenate, zip(*map(_columns, scenes), strict=True)))
+
+
+def _columns(scene: Scene) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    return scene.features, scene.positions, scene.orientations
 
 
 # Motions that are known to carry an object to a place, to be tried with other objects as references.

@@ -59,20 +59,16 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
         self.world = _made(world)
         self.objects, self.render_mode = objects, render_mode
         widths = {"features": len(self.world.feature_names), "positions": 3, "orientations": 4}
+        shapes = {name: (objects, width) for name, width in widths.items()}
         self.observation_space = spaces.Dict(
-            {
-                name: spaces.Box(-np.inf, np.inf, (objects, width), np.float64)
-                for name, width in widths.items()
-            }
+            {name: spaces.Box(-np.inf, np.inf, shape, np.float64) for name, shape in shapes.items()}
         )
         box = self.world.action_box
-        self.action_space = spaces.Box(
-            box.low.astype(np.float64), box.high.astype(np.float64), dtype=np.float64
-        )
+        low, high = (side.astype(np.float64) for side in (box.low, box.high))
+        self.action_space = spaces.Box(low, high, dtype=np.float64)
         self._scene: Scene | None = None
         self._target = 0
         self._reference: Reference | None = None
-        self._frame: Frame | None = None
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -95,19 +91,15 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
         for name in chosen:
             if name not in RESET_OPTIONS:
                 raise UnknownChoice("reset option", name, RESET_OPTIONS)
-        target = chosen["target"]
-        scene = (
-            self.world.sample_scene(self.np_random, self.objects)
-            if chosen["scene"] is None
-            else chosen["scene"]
-        )
+        target, scene, reference = chosen["target"], chosen["scene"], chosen["reference"]
+        if scene is None:
+            scene = self.world.sample_scene(self.np_random, self.objects)
         if len(scene) != self.objects:
             raise InvalidValue(f"The scene has {len(scene)} objects; this environment takes {self.objects}.")
         if target not in range(self.objects):
             raise InvalidValue(f"target = {target} must be one of the objects 0 to {self.objects - 1}.")
-        check_kind("reference", chosen["reference"], Reference | None, "a Place or an OtherObject")
-        self._scene, self._target, self._frame = scene, int(target), None
-        self._reference = chosen["reference"]
+        check_kind("reference", reference, Reference | None, "a Place or an OtherObject")
+        self._scene, self._target, self._reference = scene, int(target), reference
         return _observation(scene), {"target": self._target}
 
     def step(self, action: np.ndarray) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
@@ -124,33 +116,21 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
         """
         action = np.asarray(action, dtype=np.float64)
         aim = relative_to(self.world, self._reference)
-        outcome = self.world.interact(self._present(), action, self._target, on_frame=self._sink(), **aim)
+        outcome = self.world.interact(self._present(), action, self._target, **aim)
         self._scene = outcome.end
         reward = float(np.linalg.norm(outcome.effect))
         return _observation(outcome.end), reward, bool(outcome.lost), False, _info(outcome)
 
     def render(self) -> Frame | None:
-        """Return a picture of the scene as it is; None without a render mode.
-
-        A world that cannot show a scene at rest gives the last picture of the last step; None before that.
-        """
-        if self.render_mode is None:
+        """Return a picture of the scene as it is; None without a render mode, or if the world draws none."""
+        if self.render_mode is None or not isinstance(self.world, Pictured):
             return None
-        if isinstance(self.world, Pictured):
-            return self.world.picture(self._present())
-        return self._frame
+        return self.world.picture(self._present())
 
     def _present(self) -> Scene:
         if self._scene is None:
             raise ResetNeeded("Call reset before the first step.")
         return self._scene
-
-    def _sink(self) -> Callable[[Frame, str], None] | None:
-        wanted = self.render_mode is not None and not isinstance(self.world, Pictured)
-        return self._keep if wanted else None
-
-    def _keep(self, frame: Frame, phase: str) -> None:  # noqa: ARG002  (the signature of a FrameSink)
-        self._frame = frame
 
 
 def _made(world: World | Callable[[], World] | str) -> World:

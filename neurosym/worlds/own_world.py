@@ -7,7 +7,6 @@ one sentence what it did, keeps what was finished, and goes on when it is called
 import inspect
 import json
 import math
-import signal
 import threading
 from collections.abc import Callable
 from functools import partial
@@ -18,21 +17,21 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.choices import admit, load_factory, search_here, told
-from neurosym.contract import OPTIONAL, Guarded, attempt, bytes_of, is_number
+from neurosym.contract import OPTIONAL, Guarded, ObjectLimits, attempt, bytes_of, is_number, limits_of
 from neurosym.errors import InvalidWorld, NeurosymError
 from neurosym.world import (
     EFFECT_AXES,
-    Frame,
+    ActionBox,
     FrameSink,
     Outcome,
     Place,
-    Reference,
     ReferenceKind,
     Scene,
+    Table,
     World,
     references_of,
 )
-from neurosym.worlds.processes import Child, ChildEnded, Unreadable, parent
+from neurosym.worlds.processes import Child, ChildEnded, parent
 
 # Whether an object is a world, as exploration, rehearsal and execution need one, in a few interactions
 
@@ -88,9 +87,6 @@ def broken_mirror(world: World) -> str | None:
     """Say in which mirror of a world objects go the opposite way to what it says, or return None.
 
     A few interactions cannot tell more: after contact, effects depend on differences far too small to see.
-
-    Args:
-        world: The world; its mirrors name what is there.
     """
     rng = np.random.default_rng(2)
     box = world.action_box
@@ -122,50 +118,33 @@ def _likeness(effects: np.ndarray, reflections: np.ndarray) -> np.ndarray:
 # A domain folder may come from a stranger, and its `world.toml` says what is called, and with which
 # options. So nothing is called that does not make worlds (`os:system`).
 
-Factory = Callable[..., Any]
 
-
-def make_own_world(name: str, options: dict[str, Any]) -> World:
-    """Make a world of one's own.
-
-    Args:
-        name: `module:factory`; the module can be imported.
-        options: What to call the factory with, by keyword.
-
-    Raises:
-        InvalidWorld: If there is no such factory, it rejects the options, or does not return a world.
-    """
+def make_own_world(name: str, options: dict[str, Any]) -> Guarded:
+    """Make a world of one's own from `module:factory` and its options, or raise `InvalidWorld`."""
     factory = _load(name)
-    _check_options(name, factory, options)
     try:
         world = factory(**options)
     except (InvalidWorld, KeyboardInterrupt):
         raise
     except BaseException as error:
-        raise InvalidWorld(name, f"cannot be made with its options: {told(error)}") from error
+        valid = ", ".join(_parameters(factory)) or "none"
+        problem = f"cannot be made with its options: {told(error)}; valid: {valid}"
+        raise InvalidWorld(name, problem) from error
     return Guarded(world, name)
 
 
-def describe_own_world(name: str, folder: Path) -> dict[str, Any]:
-    """Say which options a world of one's own has, as they stand in a TOML file, and check that it is a world.
-
-    Args:
-        name: `module:factory`.
-        folder: The domain folder that it is for.
-
-    Raises:
-        InvalidWorld: If it is no world, as far as a few interactions tell. What needs an option is not made.
-    """
+def _describe(name: str, folder: Path) -> dict[str, Any]:
+    """Return the options of a world; it is checked, unless it needs some that must be written down first."""
     admit(name, folder, InvalidWorld)
-    factory = _load(name)
-    defaults = {name: p.default for name, p in _parameters(factory).items() if _is_plain(p.default)}
-    options: dict[str, Any] = json.loads(json.dumps(defaults))
-    if not _missing_options(factory, options):  # else they must be written into the file first
+    defaults = {option: p.default for option, p in _parameters(_load(name)).items()}
+    plain = {option: default for option, default in defaults.items() if _is_plain(default)}
+    options: dict[str, Any] = json.loads(json.dumps(plain))
+    if inspect.Parameter.empty not in defaults.values():
         check_world(make_own_world(name, options))
     return options
 
 
-def _load(name: str) -> Factory:
+def _load(name: str) -> Callable[..., Any]:
     """Import the factory of a world."""
     factory = load_factory(name, InvalidWorld)
     if not callable(factory):
@@ -179,46 +158,27 @@ def _load(name: str) -> Factory:
     return factory  # type: ignore[no-any-return]
 
 
-def _missing_options(factory: Factory, options: dict[str, Any]) -> list[str]:
-    needed = [name for name, p in _parameters(factory).items() if p.default is inspect.Parameter.empty]
-    return [name for name in needed if name not in options]
-
-
 def _makes_worlds(factory: Any) -> bool:
     """Say whether a factory is a world's class, or is annotated with one, or stands in a module with one."""
+
+    def is_world_class(kind: Any) -> bool:
+        return isinstance(kind, type) and hasattr(kind, "sample_scene") and hasattr(kind, "interact")
+
     while isinstance(factory, partial):
         factory = factory.func
     if isinstance(factory, type):
-        return _is_world_class(factory)
+        return is_world_class(factory)
     try:
         returned = get_type_hints(factory).get("return")
     except Exception:  # annotations can hold anything
         returned = None
     beside = getattr(inspect.unwrap(factory), "__globals__", {}).values()
-    return _is_world_class(returned) or any(_is_world_class(kind) for kind in beside if kind is not World)
+    return any(is_world_class(kind) for kind in (returned, *(kind for kind in beside if kind is not World)))
 
 
-def _is_world_class(kind: Any) -> bool:
-    return isinstance(kind, type) and hasattr(kind, "sample_scene") and hasattr(kind, "interact")
-
-
-def _check_options(name: str, factory: Factory, options: dict[str, Any]) -> None:
-    known = _parameters(factory)
-    takes_any = any(p.kind is p.VAR_KEYWORD for p in _signature(factory))
-    for option in options:
-        if option not in known and not takes_any:
-            raise InvalidWorld(name, f"has no option {option!r}; valid: {', '.join(known) or 'none'}")
-    if missing := _missing_options(factory, options):
-        raise InvalidWorld(name, f"needs the option {missing[0]!r}, which has no default")
-
-
-def _parameters(factory: Factory) -> dict[str, inspect.Parameter]:
+def _parameters(factory: Callable[..., Any]) -> dict[str, inspect.Parameter]:
     by_keyword = (inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY)
-    return {p.name: p for p in _signature(factory) if p.kind in by_keyword}
-
-
-def _signature(factory: Factory) -> list[inspect.Parameter]:
-    return list(inspect.signature(factory).parameters.values())
+    return {name: p for name, p in inspect.signature(factory).parameters.items() if p.kind in by_keyword}
 
 
 def _is_plain(value: Any) -> bool:
@@ -229,12 +189,15 @@ def _is_plain(value: Any) -> bool:
     return isinstance(value, bool | int | str) or (isinstance(value, float) and math.isfinite(value))
 
 
-class _Process:
-    """A process that calls functions for a world that is made there, so that ours can tell what they do."""
+# The process that a world of somebody's own lives in, as we see it
 
-    def __init__(self, name: str):
-        self._name, self.patience = name, PATIENCE
-        self.child = Child(__name__)
+
+class _Apart(Child):
+    """A process that calls functions for a world, so that ours can tell what they do."""
+
+    def __init__(self, called: str):
+        super().__init__(__name__)
+        self._called, self._patience = called, PATIENCE
         self._lock = threading.Lock()
 
     def call(
@@ -244,90 +207,51 @@ class _Process:
         hear = (lambda word: on_frame(*word)) if on_frame else None
         try:
             with self._lock:
-                self.child.ask(told_by, self._name, function, arguments)
-                return self.child.answer(self.patience, hear)
+                self.ask(_told_by, self._called, function, arguments)
+                return self.answer(self._patience, hear)
         except ChildEnded as error:
-            self.child.close(grace=0.0)
-            raise InvalidWorld(self._name, f"{_how(error.code)} in {what}") from error
-        except TimeoutError as error:
-            problem = f"has not come back from {what} for {self.patience:g} s"
-            raise InvalidWorld(self._name, problem) from error
-        except Unreadable as error:
-            raise InvalidWorld(self._name, f"gives what no other process can read from {what}") from error
+            self.close(grace=0.0)
+            raise InvalidWorld(self._called, f"{error} {what}") from error
 
 
-def _how(code: int) -> str:
-    """Say how a process of a world ended."""
-    if code >= 0:
-        return f"ends its process with exit code {code}"
-    because = " (by somebody, or for want of memory)" if -code == signal.SIGKILL else ""
-    return f"has its process killed by {signal.Signals(-code).name}{because}"
+class Hosted(_Apart):
+    """A world that lives in another process; see `World`. `InvalidWorld` is raised if it cannot be made."""
 
+    name: str
+    feature_names: tuple[str, ...]
+    action_box: ActionBox
+    table: Table
+    lift_height: float
+    references: tuple[ReferenceKind, ...]
+    object_limits: ObjectLimits | None
 
-class Hosted:
-    """A world that lives in another process.
-
-    Args:
-        process: The process.
-        about: What `host.make` says of it.
-    """
-
-    def __init__(self, process: _Process, about: dict[str, Any]):
-        self.process = process
-        self.name: str = about["name"]
-        self.feature_names: tuple[str, ...] = about["feature_names"]
-        self.action_box, self.table = about["action_box"], about["table"]
-        self.lift_height: float = about["lift_height"]
-        self.references: tuple[ReferenceKind, ...] = about["references"]
-        process.patience = about["patience"]
-        if "picture" in about["optional"]:
-            self.picture = self._picture
-        if "open_window" in about["optional"]:
-            self.open_window = lambda: self._call("open_window")
-        if about["is_sparing"]:
-            self.wanted_pictures = None
+    def __init__(self, called: str, options: dict[str, Any], folder: Path):
+        super().__init__(called)
+        try:
+            about, self._patience, methods = self.call("its making", _make, called, options, folder)
+        except BaseException:
+            self.close(grace=0.0)
+            raise
+        vars(self).update(about)
+        for method in methods:
+            vars(self)[method] = partial(self._do, method)
 
     def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
         """Draw a scene; see `World.sample_scene`."""
-        scene, rng.bit_generator.state = self.process.call("sample_scene", sample_scene, rng, objects)
+        scene, rng.bit_generator.state = self.call("sample_scene", _sample_scene, rng, objects)
         return scene  # type: ignore[no-any-return]
 
-    def interact(
-        self,
-        scene: Scene,
-        action: Float[np.ndarray, "A"],
-        target: int,
-        *,
-        put_down: bool = True,
-        on_frame: FrameSink | None = None,
-        ghosts: Float[np.ndarray, "M 3"] | None = None,
-        reference: Reference | None = None,
-    ) -> Outcome:
+    def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
         """Perform an interaction; see `World.interact`."""
-        options = {"put_down": put_down, "ghosts": ghosts, "reference": reference}
-        outcome: Outcome = self._call("interact", scene, action, target, on_frame=on_frame, **options)
-        return outcome
+        return self._do("interact", scene, action, target, **options)  # type: ignore[no-any-return]
 
-    def _picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
-        frame: Frame = self._call("picture", scene, ghosts)
-        return frame
-
-    def _call(self, method: str, *arguments: Any, on_frame: FrameSink | None = None, **options: Any) -> Any:
+    def _do(self, method: str, *arguments: Any, on_frame: FrameSink | None = None, **options: Any) -> Any:
         given = method, arguments, options, on_frame is not None
-        return self.process.call(method.strip("_"), call, *given, on_frame=on_frame)
-
-    def __getattr__(self, name: str) -> Any:
-        """Give what else the world has, like its `object_limits`."""
-        if name.startswith("_") or name == "process":
-            raise AttributeError(name)
-        is_there, value = self.process.call(name, get, name)
-        if not is_there:
-            raise AttributeError(f"The world {self.name} has no attribute {name!r}.")
-        return value
+        return self.call(method.strip("_"), _do, *given, on_frame=on_frame)
 
     def __setattr__(self, name: str, value: Any) -> None:
         if name == "wanted_pictures" and value is not self.__dict__.get(name):
-            self._call("__setattr__", name, value)
+            self._do("__setattr__", name, value)
         object.__setattr__(self, name, value)
 
 
@@ -335,11 +259,7 @@ class OwnFactory:
     """Makes a world of one's own, each in a process of its own; can be pickled.
 
     Within a process, those that are called for one after another are the same one: worlds have no memory.
-
-    Args:
-        name: `module:factory`.
-        options: What to call it with.
-        folder: The domain folder, which must not bring code of its own.
+    The domain folder must not bring code of its own.
     """
 
     def __init__(self, name: str, options: dict[str, Any], folder: Path):
@@ -348,62 +268,44 @@ class OwnFactory:
 
     def __call__(self) -> World:
         """Return the world, made if there is none yet, or its process has ended."""
-        if self._world is None or not self._world.process.child.is_open:
+        if self._world is None or not self._world.is_open:
             self._world = self.another()
         return self._world
 
     def another(self) -> Hosted:
-        """Make one in a new process.
-
-        Raises:
-            InvalidWorld: If it cannot be made.
-        """
-        name, options = self.args
+        """Make one in a new process; raise `InvalidWorld` if it cannot be made."""
         search_here(self._folder)
-        process = _Process(name)
-        try:
-            return Hosted(process, process.call("its making", make, name, options, self._folder))
-        except BaseException:
-            process.child.close(grace=0.0)
-            raise
+        return Hosted(*self.args, self._folder)
 
-    def __getstate__(self) -> tuple[tuple[str, dict[str, Any]], Path]:
-        return self.args, self._folder
-
-    def __setstate__(self, state: tuple[tuple[str, dict[str, Any]], Path]) -> None:
-        (self.args, self._folder), self._world = state, None
+    def __reduce__(self) -> tuple[Any, ...]:
+        return OwnFactory, (*self.args, self._folder)
 
 
 def describe_apart(name: str, folder: Path) -> dict[str, Any]:
-    """Do in a process of its own what `describe_own_world` does.
+    """Say which options a world of one's own has, as they stand in a TOML file, and check that it is a world.
 
-    Args:
-        name: `module:factory`.
-        folder: The domain folder that it is for.
-
-    Raises:
-        InvalidWorld: If it is no world.
+    Both happen in a process of its own. Raises `InvalidWorld` if it is none, as far as a few interactions
+    tell; what needs an option is not made.
     """
     search_here(folder)
-    process = _Process(name)
+    process = _Apart(name)
     try:
-        options: dict[str, Any] = process.call("a first trial", describe_own_world, name, folder)
+        options: dict[str, Any] = process.call("a first trial", _describe, name, folder)
     finally:
-        process.child.close()
+        process.close()
     return options
 
 
-# What a process does that holds a world of somebody's own: it answers the calls of `worlds/hosted.py`.
-#
-# The functions here are called in that process, which has one world. It ends when nobody asks any more.
+# What that process does, which has one world: it answers the calls of `Hosted`
 
 PATIENCE = 600.0
 """How long a call may take unless the world has a `patience` of its own [s]."""
+_ATTRIBUTES = ("name", "feature_names", "action_box", "table", "lift_height")
 
 _world: Guarded
 
 
-def told_by(name: str, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
+def _told_by(name: str, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
     """Call a function; whatever the world `name` raises in it is told as an `InvalidWorld`."""
     try:
         return function(*arguments)
@@ -413,53 +315,28 @@ def told_by(name: str, function: Callable[..., Any], arguments: tuple[Any, ...])
         raise InvalidWorld(name, f"raises an error: {told(error)}") from error
 
 
-def make(name: str, options: dict[str, Any], folder: Path) -> dict[str, Any]:
-    """Make the world, and say what it has.
-
-    Args:
-        name: `module:factory`.
-        options: What to call the factory with.
-        folder: The domain folder, which must not bring code of its own.
-    """
+def _make(name: str, options: dict[str, Any], folder: Path) -> tuple[dict[str, Any], float, tuple[str, ...]]:
+    """Make the world, and return what it has, its patience [s], and which optional methods there are."""
     global _world
     admit(name, folder, InvalidWorld)
-    world = make_own_world(name, options)
-    assert isinstance(world, Guarded), "every world of somebody's own is"
-    _world = world
-    patience = getattr(world, "patience", PATIENCE)
+    _world = make_own_world(name, options)
+    patience = getattr(_world, "patience", PATIENCE)
     if not (is_number(patience) and patience > 0):
         raise InvalidWorld(name, f"has patience = {patience!r}; valid: a time above 0 s")
-    return {
-        "name": world.name,
-        "feature_names": world.feature_names,
-        "action_box": world.action_box,
-        "table": world.table,
-        "lift_height": world.lift_height,
-        "references": references_of(world),
-        "patience": float(patience),
-        "optional": tuple(method for method in OPTIONAL if hasattr(world, method)),
-        "is_sparing": hasattr(world, "wanted_pictures"),
-    }
+    about = {attribute: getattr(_world, attribute) for attribute in _ATTRIBUTES}
+    about |= {"references": references_of(_world), "object_limits": limits_of(_world)}
+    if hasattr(_world, "wanted_pictures"):
+        about["wanted_pictures"] = None
+    return about, float(patience), tuple(method for method in OPTIONAL if hasattr(_world, method))
 
 
-def sample_scene(rng: np.random.Generator, objects: int) -> tuple[Scene, Any]:
+def _sample_scene(rng: np.random.Generator, objects: int) -> tuple[Scene, Any]:
     """Draw a scene, and return it with the state that the generator is left in."""
     return _world.sample_scene(rng, objects), rng.bit_generator.state
 
 
-def call(method: str, arguments: tuple[Any, ...], options: dict[str, Any], is_filmed: bool) -> Any:
+def _do(method: str, arguments: tuple[Any, ...], options: dict[str, Any], is_filmed: bool) -> Any:
     """Call another method of the world, and send its pictures on the way if it is filmed."""
     if is_filmed:
-        options["on_frame"] = _send_frame
+        options["on_frame"] = lambda frame, phase: parent().send((np.array(frame), phase))
     return getattr(_world, method)(*arguments, **options)
-
-
-def _send_frame(frame: Frame, phase: str) -> None:
-    parent().send((np.array(frame), phase))
-
-
-def get(name: str) -> tuple[bool, Any]:
-    """Return whether the world has an attribute, and the attribute."""
-    if hasattr(_world, name) and not callable(getattr(_world, name)):
-        return True, getattr(_world, name)
-    return False, None

@@ -1,12 +1,13 @@
 """Tasks that people bring: put things there, have them change places, set them in a row, clear a crowd."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import get_args
+from contextlib import suppress
+from typing import Any, get_args
 
 import msgspec
 import numpy as np
 
-from neurosym.checks import Float, check_callable, check_count, check_length, check_seed, check_whole
+from neurosym.checks import Float, check_callable, check_count, check_length, check_seed
 from neurosym.choices import TaskKind
 from neurosym.contract import guarded, placed
 from neurosym.errors import InvalidValue, UnknownChoice
@@ -49,45 +50,32 @@ def draw_problem(
         InvalidValue: If the objects do not fit, or no draw moves anything.
     """
     world = guarded(world)
-    for kind, count in (("object", objects), ("action", actions)):
-        check_whole(f"{kind}s", count)
-        if count < 1:
-            raise InvalidValue(f"A problem needs at least one {kind}, not {count}.")
-    _check(name, seed, tolerance)
+    check_task(name, objects, seed, tolerance)
+    check_count("actions", actions)
+    count = "one random action" if actions == 1 else f"{actions} random actions"
     for draw in range(_MOST_DRAWS):
         rng = np.random.default_rng([_TASKS, seed, draw])
+        outcomes: list[Outcome] = []
         with placed(f"draw {draw + 1}"):
-            scene = world.sample_scene(rng, objects)
-            outcomes = _act_at_random(world, scene, actions, rng)
-        goals = dict(zip(item_names(objects), map(vector, outcomes[-1].lifted.positions), strict=True))
+            scene = before = world.sample_scene(rng, objects)
+            for _ in range(actions):
+                target = int(rng.integers(len(scene)))
+                outcomes.append(world.interact(scene, world.action_box.sample(rng, 1)[0], target))
+                scene = outcomes[-1].end
+        names = item_names(objects)
+        acted_on = ", ".join(names[outcome.target] for outcome in outcomes)
         problem = Problem(
             name=name,
             objects=items_of(outcomes[0].start, categorise),
-            goals=goals,
+            goals=dict(zip(names, map(vector, outcomes[-1].lifted.positions), strict=True)),
             tolerance=tolerance,
-            provenance=f"drawn with seed {seed}: {_told(outcomes)}; draw {draw + 1}, earlier ones met at the "
-            "start or off the table",
+            provenance=f"drawn with seed {seed}: {count} on {acted_on}; draw {draw + 1}, earlier ones met at "
+            "the start or off the table",
         )
         stays = all(world.table.contains(spot) for outcome in outcomes for spot in outcome.lifted.positions)
-        if stays and not problem.is_met(scene.positions):
+        if stays and not problem.is_met(before.positions):
             return problem
     raise InvalidValue(f"None of {_MOST_DRAWS} random actions moves an object by more than {tolerance} m.")
-
-
-def _act_at_random(world: World, scene: Scene, actions: int, rng: np.random.Generator) -> list[Outcome]:
-    """Perform random actions on random objects, one after another."""
-    outcomes: list[Outcome] = []
-    for _ in range(actions):
-        target = int(rng.integers(len(scene)))
-        outcomes.append(world.interact(scene, world.action_box.sample(rng, 1)[0], target))
-        scene = outcomes[-1].end
-    return outcomes
-
-
-def _told(outcomes: Sequence[Outcome]) -> str:
-    names = item_names(len(outcomes[0].start))
-    count = "one random action" if len(outcomes) == 1 else f"{len(outcomes)} random actions"
-    return f"{count} on {', '.join(names[outcome.target] for outcome in outcomes)}"
 
 
 def set_problem(
@@ -118,8 +106,7 @@ def set_problem(
         InvalidValue: If the objects do not fit, or a goal names none of them or lies out of reach.
     """
     world = guarded(world)
-    check_count("objects", objects)
-    _check(name, seed, tolerance)
+    check_task(name, objects, seed, tolerance)
     scene = world.sample_scene(np.random.default_rng([_TASKS, seed]), objects)
     items = items_of(scene, categorise)
     resting = {item.name: item.position[2] for item in items}
@@ -135,8 +122,9 @@ def set_problem(
     return problem
 
 
-def _check(name: str, seed: int, tolerance: float) -> None:
-    """Refuse a name, seed or tolerance before anything is drawn."""
+def check_task(name: str, objects: int, seed: int, tolerance: float) -> None:
+    """Raise `InvalidValue` unless a task can be called so and have so much, before anything is drawn."""
+    check_count("objects", objects)
     check_names((name,))
     check_seed(seed)
     check_length("tolerance", tolerance)
@@ -160,12 +148,7 @@ def items_of(scene: Scene, categorise: Categorise) -> tuple[SceneObject, ...]:
 
 
 def standing(items: Sequence[SceneObject], scene: Scene) -> tuple[SceneObject, ...]:
-    """Return objects as they stand in a scene.
-
-    Args:
-        items: The objects.
-        scene: The scene, in the same order.
-    """
+    """Return objects as they stand in a scene, in the same order."""
     rows = zip(items, scene.positions, scene.orientations, strict=True)
     return tuple(
         msgspec.structs.replace(item, position=vector(position), orientation=tuple(orientation.tolist()))
@@ -233,16 +216,11 @@ def draw_task(
     if kind not in TASK_KINDS:
         raise UnknownChoice("kind of task", str(kind), TASK_KINDS)
     world = guarded(world)
-    check_count("objects", objects)
-    check_names((name,))
-    check_seed(seed)
-    check_length("tolerance", tolerance)
+    check_task(name, objects, seed, tolerance)
     if fits is not None:
         check_callable("fits", fits, "a function from features (F,) to True or False")
-    if kind == "swap" and objects < 2:
-        raise InvalidValue("One object has no other to change places with; ask for at least 2.")
-    if kind == "crowded" and objects < 2:
-        raise InvalidValue("One object is no crowd; ask for at least 2.")
+    if kind in _ALONE and objects < 2:
+        raise InvalidValue(f"One object {_ALONE[kind]}; ask for at least 2.")
     number = TASK_KINDS.index(kind)
     for draw in range(_DRAWS):
         rng = np.random.default_rng([_STREAM, objects, seed, draw, *([number] if number else [])])
@@ -250,104 +228,93 @@ def draw_task(
             scene = world.sample_scene(rng, objects)  # its places are near the middle, and not used
         if fits and not all(map(fits, scene.features)):
             continue
-        found = _PLACES[kind](rng, scene.features[:, :2], world.table)
-        if found is not None:
-            said = f"{kind}, drawn with seed {seed}; draw {draw + 1}"
-            return _arranged(scene, categorise, *found, name, tolerance, said)
+        with suppress(NoRoom):
+            starts, goals = _PLACES[kind](rng, scene.features[:, :2], world.table)
+            heights = scene.positions[:, 2:]
+            turns = np.tile([0.0, 0.0, 0.0, 1.0], (objects, 1))
+            items = items_of(Scene(scene.features, np.hstack([starts, heights]), turns), categorise)
+            ends = map(vector, np.hstack([goals, heights]))
+            goals_of = dict(zip(item_names(objects), ends, strict=True))
+            told = f"{kind}, drawn with seed {seed}; draw {draw + 1}"
+            return Problem(name, items, goals_of, tolerance, provenance=told)
     raise InvalidValue(f"{objects} objects find no places on the table for the task {kind!r}; ask for fewer.")
 
 
-def _arranged(
-    scene: Scene,
-    categorise: Categorise,
-    starts: Spots,
-    goals: Spots,
-    name: str,
-    tolerance: float,
-    provenance: str,
-) -> Problem:
-    """Return the task that brings the objects of a scene from where they start to their goals."""
-    heights = scene.positions[:, 2:]
-    upright = np.tile([0.0, 0.0, 0.0, 1.0], (len(scene), 1))
-    items = items_of(Scene(scene.features, np.hstack([starts, heights]), upright), categorise)
-    ends = map(vector, np.hstack([goals, heights]))
-    goals_of = {item.name: end for item, end in zip(items, ends, strict=True)}
-    return Problem(name, items, goals_of, tolerance, provenance=provenance)
-
-
-def _anywhere(rng: np.random.Generator, sizes: Spots, table: Table) -> tuple[Spots, Spots] | None:
+def _anywhere(rng: np.random.Generator, sizes: Spots, table: Table) -> tuple[Spots, Spots]:
     starts = draw_places(rng, sizes, table)
-    goals = None if starts is None else draw_places(rng, sizes, table, starts)
-    return None if starts is None or goals is None else (starts, goals)
+    return starts, draw_places(rng, sizes, table, starts)
 
 
-def _swap(rng: np.random.Generator, sizes: Spots, table: Table) -> tuple[Spots, Spots] | None:
+def _swap(rng: np.random.Generator, sizes: Spots, table: Table) -> tuple[Spots, Spots]:
     largest = np.tile(sizes.max(0), (len(sizes), 1))  # so that each fits where the next stands
     starts = draw_places(rng, largest, table)
-    return None if starts is None else (starts, np.roll(starts, -1, axis=0))
+    return starts, np.roll(starts, -1, axis=0)
 
 
-def _row(rng: np.random.Generator, sizes: Spots, table: Table) -> tuple[Spots, Spots] | None:
+def _row(rng: np.random.Generator, sizes: Spots, table: Table) -> tuple[Spots, Spots]:
     widths = sizes[:, 1]
     length = widths.sum() + ROW_GAP * (len(widths) - 1)
     if length > table.y[1] - table.y[0]:
-        return None
+        raise NoRoom
     left = np.cumsum(widths + ROW_GAP) - ROW_GAP - widths / 2 - length / 2 + sum(table.y) / 2
     goals = np.column_stack([np.full(len(widths), sum(table.x) / 2), left])
-    starts = draw_places(rng, sizes, table)
-    return None if starts is None else (starts, goals)
+    return draw_places(rng, sizes, table), goals
 
 
-def _crowded(rng: np.random.Generator, sizes: Spots, table: Table) -> tuple[Spots, Spots] | None:
-    low, high = np.array([table.x, table.y]).T
-    apart = (sizes[:, None] + sizes) / 2
-    starts = rng.uniform(low + sizes[:1] / 2, high - sizes[:1] / 2)
-    for number in range(1, len(sizes)):
-        for _ in range(_TRIES):
-            spot = rng.uniform(low + sizes[number] / 2, high - sizes[number] / 2)
-            away = np.abs(starts - spot)
-            beside = np.all(away < apart[number, :number] + CROWDED, axis=1)
-            if beside.any() and not np.all(away < apart[number, :number], axis=1).any():
-                starts = np.vstack([starts, spot])
-                break
-        else:
-            return None
-    goals = draw_places(rng, sizes, table, starts)
-    return None if goals is None else (starts, goals)
+def _crowded(rng: np.random.Generator, sizes: Spots, table: Table) -> tuple[Spots, Spots]:
+    apart, starts = (sizes[:, None] + sizes) / 2, np.full(sizes.shape, np.inf)
+
+    def suits(row: int, spot: Float[np.ndarray, "2"]) -> bool:
+        away = np.abs(starts[:row] - spot)
+        beside = np.all(away < apart[row, :row] + CROWDED, axis=1)
+        return row == 0 or bool(beside.any() and not np.all(away < apart[row, :row], axis=1).any())
+
+    _draw_spots(rng, sizes, table, starts, suits)
+    return starts, draw_places(rng, sizes, table, starts)
 
 
-_PLACES: dict[TaskKind, Callable[[np.random.Generator, Spots, Table], tuple[Spots, Spots] | None]] = {
+_PLACES: dict[TaskKind, Callable[[np.random.Generator, Spots, Table], tuple[Spots, Spots]]] = {
     "anywhere": _anywhere,
     "swap": _swap,
     "row": _row,
     "crowded": _crowded,
 }
+"""Draws starts and goals of each kind of task."""
+_ALONE = {"swap": "has no other to change places with", "crowded": "is no crowd"}
+"""Why tasks of a kind need two objects."""
 
 
-def draw_places(
-    rng: np.random.Generator, sizes: Spots, table: Table, starts: Spots | None = None
-) -> Spots | None:
-    """Draw where objects shall be, on the table and apart; None if one finds no place.
+class NoRoom(Exception):
+    """An object finds no place."""
 
-    Args:
-        rng: Source of randomness.
-        sizes: Widths of the footprints along x and y [m].
-        table: Where they shall lie.
-        starts: Where the objects stand now [m], if it is goals that are drawn.
+
+def draw_places(rng: np.random.Generator, sizes: Spots, table: Table, starts: Spots | None = None) -> Spots:
+    """Draw where objects of these footprints [m] shall be, on the table and apart.
+
+    If they stand somewhere now, each is `AWAY` from there. `NoRoom` is raised if one finds no place.
     """
-    low, high = np.array([table.x, table.y]).T
-    if np.any(low + sizes / 2 > high - sizes / 2):
-        return None
     apart = (sizes[:, None] + sizes) / 2  # (M, M, 2)
     taken = np.full(sizes.shape, np.inf) if starts is None else starts.copy()
-    for row, size in enumerate(sizes):
+
+    def suits(row: int, spot: Float[np.ndarray, "2"]) -> bool:
         others = np.arange(len(sizes)) != row
-        for _ in range(_TRIES):
-            spot = rng.uniform(low + size / 2, high - size / 2)
-            is_far = starts is None or np.linalg.norm(spot - starts[row]) >= AWAY
-            if is_far and not np.all(np.abs(taken[others] - spot) < apart[row, others], axis=1).any():
-                taken[row] = spot
-                break
-        else:
-            return None
+        is_far = starts is None or np.linalg.norm(spot - starts[row]) >= AWAY
+        return bool(is_far) and not np.all(np.abs(taken[others] - spot) < apart[row, others], axis=1).any()
+
+    _draw_spots(rng, sizes, table, taken, suits)
     return taken
+
+
+def _draw_spots(
+    rng: np.random.Generator, sizes: Spots, table: Table, spots: Spots, suits: Callable[[int, Any], bool]
+) -> None:
+    """Draw one spot after another, until it suits, and put it into its row."""
+    low, high = np.array([table.x, table.y]).T
+    if np.any(sizes > high - low):
+        raise NoRoom
+    for row, size in enumerate(sizes):
+        drawn = (rng.uniform(low + size / 2, high - size / 2) for _ in range(_TRIES))
+        spot = next((spot for spot in drawn if suits(row, spot)), None)
+        if spot is None:
+            raise NoRoom
+        spots[row] = spot

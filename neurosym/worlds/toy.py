@@ -21,6 +21,7 @@ two bits, and six kinds of action (lift, four pushes, nothing), which is three.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -89,30 +90,20 @@ class ToyConfig:
         return ObjectLimits(FEATURE_NAMES, (self.sizes, self.sizes, self.heights), (0.0, 1.0))
 
 
-def make_world(config: ToyConfig | None = None) -> "ToyWorld":
-    """Make a toy world; the factory that worker processes are given.
+class ToyWorld:
+    """The toy world; see the head of this file for its rules.
 
     Args:
-        config: What it is made of.
+        config: What it is made of, if not as usual.
     """
-    return ToyWorld(config or ToyConfig())
-
-
-class ToyWorld:
-    """The toy world; see the head of this file for its rules."""
 
     name = "toy"
     feature_names = FEATURE_NAMES
     references: tuple[ReferenceKind, ...] = ("place",)
 
-    def __init__(self, config: ToyConfig):
-        self.config = config
-        self.action_box = three_waypoints()
-
-    @property
-    def table(self) -> Table:
-        """Where objects may stand."""
-        return self.config.table
+    def __init__(self, config: ToyConfig | None = None):
+        self.config = config or ToyConfig()
+        self.action_box, self.table = three_waypoints(), self.config.table
 
     @property
     def object_limits(self) -> ObjectLimits:
@@ -125,15 +116,7 @@ class ToyWorld:
         return self.config.lift_height
 
     def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
-        """Draw a scene of objects that do not overlap.
-
-        Args:
-            rng: Source of randomness, owned by the caller.
-            objects: How many objects.
-
-        Raises:
-            InvalidValue: If so many objects do not fit on the table.
-        """
+        """Draw a scene of objects that do not overlap; see `World.sample_scene`."""
         least, greatest = self.config.sizes
         footprints = rng.uniform(least, greatest, size=(objects, 2))
         heights = rng.uniform(*self.config.heights, size=(objects, 1))
@@ -173,27 +156,17 @@ class ToyWorld:
         ghosts: Float[np.ndarray, "M 3"] | None = None,
         reference: Reference | None = None,
     ) -> Outcome:
-        """Perform one action on one object by the rules at the head of this file.
-
-        Args:
-            scene: The objects, at rest.
-            action: Three waypoints (x, y, z, g) relative to the target's centre.
-            target: Index of the object acted upon.
-            put_down: Whether to put down an object that is held.
-            on_frame: Called with pictures from above, if given.
-            ghosts: Centres at which pictures show the objects once more, in outline [m].
-            reference: Where the object is carried, if anywhere.
-
-        Raises:
-            InvalidValue: If the action has another shape, is not finite, the target does not exist, or the
-                reference lies off the table.
-        """
+        """Perform one action by the rules at the head of this file; see `World.interact`."""
         check_action(self, scene, action, target, reference)
         waypoints = np.asarray(action).reshape(3, 4)
         size, held, carried = scene.features[target], False, False
+        centre = aim = scene.positions[target]
         if reference is not None:
+            aim = centre_of(reference, scene.positions)
             carried = _is_grasped(size, waypoints[:2])
-            shift = _carry(scene, target, waypoints, reference) if carried else np.zeros(3)
+            shift = np.zeros(3)
+            if carried:
+                shift[:2] = aim[:2] + waypoints[2, :2] - centre[:2] - waypoints[1, :2]
         elif held := _is_grasped(size, waypoints):
             shift = np.array([0.0, 0.0, self.lift_height])
         else:
@@ -201,10 +174,7 @@ class ToyWorld:
         lifted = _moved(scene, target, shift)
         end = scene if held and put_down else lifted
         if on_frame is not None:
-            centre = scene.positions[target]
-            aim = centre if reference is None else centre_of(reference, scene.positions)
-            origins = np.array([centre, centre, aim])
-            dots = self._pixels(origins + waypoints[:, :3])
+            dots = self._pixels(np.array([centre, centre, aim]) + waypoints[:, :3])
             for share in np.linspace(0, 1, FRAMES):
                 moved = self.picture(_moved(scene, target, share * shift), ghosts)
                 on_frame(draw_dots(moved, dots, DOT_RADIUS), "motion")
@@ -224,45 +194,39 @@ class ToyWorld:
         )
 
     def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
-        """Draw a scene from above: forward (+x) is up, left (+y) left; what is in the air casts a shadow.
-
-        Args:
-            scene: The objects.
-            ghosts: Centres at which the objects are shown once more, in outline [m]; NaN for none.
-        """
+        """Draw a scene from above: forward (+x) is up, left (+y) left; what is in the air casts a shadow."""
         picture = Image.new("RGB", PICTURE, (205, 205, 200))
         canvas = ImageDraw.Draw(picture)
-        canvas.rectangle(
-            self._box((self.table.x, self.table.y)), fill=(245, 240, 228), outline=(120, 110, 90)
-        )
+
+        def draw(centre: np.ndarray, size: np.ndarray, height: float, **look: Any) -> None:
+            middle = centre[:2] + np.array([0.2 * height, 0.0])  # off its shadow, if it is in the air
+            corners = self._pixels(np.array([middle + size[:2] / 2, middle - size[:2] / 2]))
+            canvas.rectangle(corners.ravel().tolist(), **look)
+
+        table = self._pixels(np.array([self.table.x, self.table.y]).T[::-1])
+        canvas.rectangle(table.ravel().tolist(), fill=(245, 240, 228), outline=(120, 110, 90))
         for index, (size, centre) in enumerate(zip(scene.features, scene.positions, strict=True)):
             height = max(0.0, float(centre[2] - size[2] / 2))
-            canvas.rectangle(self._box(_spans(centre, size, 0.0)), fill=(200, 192, 175))
-            colour = COLOURS[index % len(COLOURS)]
-            canvas.rectangle(self._box(_spans(centre, size, height)), fill=colour, outline=(40, 40, 40))
+            draw(centre, size, 0.0, fill=(200, 192, 175))
+            draw(centre, size, height, fill=COLOURS[index % len(COLOURS)], outline=(40, 40, 40))
             if size[3] >= 0.5:
-                hollow = _spans(centre, 0.7 * size, height)
-                canvas.rectangle(self._box(hollow), fill=(250, 250, 250), outline=(40, 40, 40))
+                draw(centre, 0.7 * size, height, fill=(250, 250, 250), outline=(40, 40, 40))
         for index, centre in enumerate([] if ghosts is None else ghosts):
             if np.all(np.isfinite(centre)):
                 size = scene.features[index]
-                outline = self._box(_spans(centre, size, max(0.0, float(centre[2] - size[2] / 2))))
-                canvas.rectangle(outline, outline=COLOURS[index % len(COLOURS)], width=3)
+                height = max(0.0, float(centre[2] - size[2] / 2))
+                draw(centre, size, height, outline=COLOURS[index % len(COLOURS)], width=3)
         return np.array(picture)
 
-    def _pixels(self, points: Float[np.ndarray, "N 3"]) -> Float[np.ndarray, "N 2"]:
-        """Return where points lie in a picture from above."""
-        return np.array([self._box(((x, x), (y, y)))[:2] for x, y, _ in points])
+    def _pixels(self, points: Float[np.ndarray, "N D"]) -> Float[np.ndarray, "N 2"]:
+        """Return where points (x, y, ...) lie in a picture from above."""
+        table, size = np.array([self.table.y, self.table.x]), np.array(PICTURE)  # as pictures lie
+        scale = (size / np.ptp(table, axis=1)).min() * 0.85
+        return np.asarray(size / 2 - (points[:, 1::-1] - table.mean(1)) * scale)
 
-    def _box(self, spans: tuple[tuple[float, float], tuple[float, float]]) -> tuple[float, ...]:
-        (x_low, x_high), (y_low, y_high) = spans
-        table = self.table
-        width, height = PICTURE
-        scale = min(width / (table.y[1] - table.y[0]), height / (table.x[1] - table.x[0])) * 0.85
-        middle_x, middle_y = sum(table.x) / 2, sum(table.y) / 2
-        left, right = (width / 2 - (y - middle_y) * scale for y in (y_high, y_low))
-        top, bottom = (height / 2 - (x - middle_x) * scale for x in (x_high, x_low))
-        return left, top, right, bottom
+
+make_world = ToyWorld
+"""Makes a toy world; the factory that worker processes are given."""
 
 
 def _is_grasped(size: Float[np.ndarray, "F"], waypoints: Float[np.ndarray, "N 4"]) -> bool:
@@ -270,15 +234,8 @@ def _is_grasped(size: Float[np.ndarray, "F"], waypoints: Float[np.ndarray, "N 4"
     return bool(graspable and waypoints[0, 3] >= OPEN and waypoints[-1, 3] < OPEN)
 
 
-def _carry(
-    scene: Scene, target: int, waypoints: Float[np.ndarray, "3 4"], reference: Reference
-) -> Float[np.ndarray, "3"]:
-    there, here = centre_of(reference, scene.positions), scene.positions[target]
-    shift = there + waypoints[2, :3] - here - waypoints[1, :3]
-    return np.asarray(shift * [1.0, 1.0, 0.0])
-
-
 def _push(size: Float[np.ndarray, "F"], waypoints: Float[np.ndarray, "3 4"]) -> Float[np.ndarray, "3"]:
+    """Return how far an object is pushed [m]."""
     travel = waypoints[2, :2] - waypoints[0, :2]
     axis = int(np.argmax(np.abs(travel)))
     shift = np.zeros(3)
@@ -291,11 +248,3 @@ def _moved(scene: Scene, target: int, shift: Float[np.ndarray, "3"]) -> Scene:
     positions = scene.positions.copy()
     positions[target] += shift
     return Scene(scene.features, positions, scene.orientations)
-
-
-def _spans(
-    centre: Float[np.ndarray, "3"], size: Float[np.ndarray, "F"], height: float
-) -> tuple[tuple[float, float], tuple[float, float]]:
-    offset = 0.2 * height  # a thing in the air is drawn a little higher up, off its shadow
-    x, y = float(centre[0]) + offset, float(centre[1])
-    return (x - size[0] / 2, x + size[0] / 2), (y - size[1] / 2, y + size[1] / 2)

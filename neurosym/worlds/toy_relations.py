@@ -14,26 +14,18 @@ Nothing topples, and what is lifted without a reference is put back where it was
 """
 
 import dataclasses
+from typing import Any
 
 import numpy as np
 
 from neurosym.checks import Float
 from neurosym.tasks.supports import contacts_of
-from neurosym.world import FrameSink, Outcome, Reference, ReferenceKind, Scene
-from neurosym.worlds.toy import ToyConfig, ToyWorld
+from neurosym.world import Outcome, ReferenceKind, Scene
+from neurosym.worlds.toy import ToyWorld
 
 WALL = 0.01
 """How thick walls and floors of hollow objects are [m]."""
 _SAME, _BESIDE, _MOST_SLIDES = 1e-6, 0.001, 5
-
-
-def make_world(config: ToyConfig | None = None) -> "ToyRelations":
-    """Make a toy world with relations; the factory that worker processes are given.
-
-    Args:
-        config: What it is made of.
-    """
-    return ToyRelations(config or ToyConfig())
 
 
 class ToyRelations(ToyWorld):
@@ -42,35 +34,10 @@ class ToyRelations(ToyWorld):
     name = "toy-relations"
     references: tuple[ReferenceKind, ...] = ("place", "object")
 
-    def interact(
-        self,
-        scene: Scene,
-        action: Float[np.ndarray, "A"],
-        target: int,
-        *,
-        put_down: bool = True,
-        on_frame: FrameSink | None = None,
-        ghosts: Float[np.ndarray, "M 3"] | None = None,
-        reference: Reference | None = None,
-    ) -> Outcome:
-        """Perform one action on one object by the rules at the head of this file.
-
-        Args:
-            scene: The objects, at rest.
-            action: Three waypoints (x, y, z, g) relative to the target's centre.
-            target: Index of the object acted upon.
-            put_down: Whether to put down an object that is held.
-            on_frame: Called with pictures from above, if given.
-            ghosts: Centres at which pictures show the objects once more, in outline [m].
-            reference: Where the object is carried, if anywhere: to a place, or to another object.
-
-        Raises:
-            InvalidValue: If the action has another shape, is not finite, the target does not exist, or the
-                reference lies off the table, does not exist, or is the target.
-        """
-        options = {"put_down": put_down, "on_frame": on_frame, "ghosts": ghosts, "reference": reference}
-        done = super().interact(scene, action, target, **options)  # type: ignore[arg-type]
-        if done.held and not put_down:
+    def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
+        """Perform one action by the rules at the head of this file; see `World.interact`."""
+        done = super().interact(scene, action, target, **options)
+        if done.end is done.lifted and done.held:  # and is not put down
             return dataclasses.replace(done, contacts=contacts_of(done.end))
         spot = done.end.positions[target][:2]
         is_still = bool(np.array_equal(spot, scene.positions[target][:2]))
@@ -87,13 +54,7 @@ class ToyRelations(ToyWorld):
 
 
 def let_down(scene: Scene, target: int, spot: Float[np.ndarray, "2"]) -> Scene:
-    """Return the scene after an object was let down over a spot, with what rests on it.
-
-    Args:
-        scene: The objects, as they were before.
-        target: Index of the object.
-        spot: Where its centre is when it is let go [m].
-    """
+    """Return the scene after an object, with what rests on it, was let go with its centre over a spot [m]."""
     moved = {target, *loads_on(scene, target)}
     others = [index for index in range(len(scene)) if index not in moved]
     half = scene.features[target][:3] / 2
@@ -103,36 +64,30 @@ def let_down(scene: Scene, target: int, spot: Float[np.ndarray, "2"]) -> Scene:
         tops = {index: _top(scene, index, half, there) for index in others}
         height = max([0.0, *tops.values()])
         under = [index for index in others if height and tops[index] == height]
-        if not under or any(_is_over(scene, index, there) for index in under):
+        away = there - scene.positions[under, :2]
+        if np.any(np.all(np.abs(away) <= scene.features[under, :2] / 2 + _SAME, axis=1)) or not under:
             break
-        away = there[0] - scene.positions[under[0]][0]
         reach = half[0] + scene.features[under[0]][0] / 2 + _BESIDE
-        there[0] = scene.positions[under[0]][0] + (reach if away >= 0 else -reach)
+        there[0] = scene.positions[under[0]][0] + (reach if away[0, 0] >= 0 else -reach)
     positions = scene.positions.copy()
     positions[sorted(moved)] += np.array([*there, height + half[2]]) - positions[target]
     return Scene(scene.features, positions, scene.orientations)
 
 
 def loads_on(scene: Scene, target: int) -> tuple[int, ...]:
-    """Return the indices of what rests on or in an object, also on one another.
-
-    Args:
-        scene: The objects.
-        target: Index of the object.
-    """
-    found, to_look_at = list[int](), [target]
+    """Return the indices of what rests on or in an object, also on one another."""
+    found, to_look_at = set[int](), [target]
     while to_look_at:
         below = to_look_at.pop()
-        for index in range(len(scene)):
-            if index != target and index not in found and _rests_on(scene, index, below):
-                found.append(index)
-                to_look_at.append(index)
+        above = [
+            n for n in range(len(scene)) if n not in (target, below, *found) and _rests_on(scene, n, below)
+        ]
+        found.update(above)
+        to_look_at += above
     return tuple(sorted(found))
 
 
 def _rests_on(scene: Scene, index: int, below: int) -> bool:
-    if index == below:
-        return False
     half, centre = scene.features[index][:3] / 2, scene.positions[index]
     bottom = centre[2] - half[2]
     return bool(bottom > _SAME and abs(_top(scene, below, half, centre[:2]) - bottom) < _SAME)
@@ -140,15 +95,9 @@ def _rests_on(scene: Scene, index: int, below: int) -> bool:
 
 def _top(scene: Scene, index: int, half: Float[np.ndarray, "3"], spot: Float[np.ndarray, "2"]) -> float:
     """Return how high an object of half such a size rests over a spot on another one; 0 if not on it [m]."""
-    away = np.abs(spot - scene.positions[index][:2])
     size, centre = scene.features[index], scene.positions[index]
+    away = np.abs(spot - centre[:2])
     if np.any(away >= half[:2] + size[:2] / 2 - _SAME):
         return 0.0
     fits = size[3] >= 0.5 and np.all(away + half[:2] <= size[:2] / 2 - WALL + _SAME)
     return float(centre[2] - size[2] / 2 + WALL if fits else centre[2] + size[2] / 2)
-
-
-def _is_over(scene: Scene, index: int, spot: Float[np.ndarray, "2"]) -> bool:
-    """Say whether a spot lies over an object."""
-    away = np.abs(spot - scene.positions[index][:2])
-    return bool(np.all(away <= scene.features[index][:2] / 2 + _SAME))

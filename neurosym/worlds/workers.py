@@ -4,12 +4,13 @@ A world is a function without memory, so who performs an interaction does not ma
 world once from a factory that can be pickled (`functools.partial(make_world, config)`, for instance).
 """
 
+import pickle
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache, lru_cache, partial
 from multiprocessing.spawn import get_preparation_data, prepare
 from typing import Any, TypeVar
 
@@ -22,10 +23,11 @@ from neurosym.world import Outcome, Reference, Scene, World, WorldFactory, relat
 from neurosym.worlds.own_world import OwnFactory
 from neurosym.worlds.processes import Child, ChildEnded, crew_of
 
-# Worker processes that do whatever they are given, each a function of a module with its arguments
-
-Submit = Callable[..., Future[Any]]
-"""Has a worker process call a function with arguments; all must survive pickling."""
+MOST_WORKERS = 256
+AHEAD = 4
+"""Tasks handed out for each worker, so that none waits for the next."""
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
 
 class WorkerDied(NeurosymError):
@@ -38,38 +40,12 @@ class WorkerDied(NeurosymError):
         )
 
 
-class _Worker:
-    """A worker process: it imports the main program, as what it is given may be from there."""
-
-    def __init__(self, *first: Any):
-        about = get_preparation_data("")
-        del about["name"], about["authkey"]  # of `multiprocessing`, which is not used
-        self._first = [(_import_main, about), *([first] if first else [])]
-        self.child = Child()
-
-    def do(self, work: Callable[..., Any], *given: Any) -> Any:
-        """Have it do something; an error in what it does first is one of the first task."""
-        try:
-            while self._first:
-                self.child.ask(*self._first[0])
-                self.child.answer()
-                del self._first[0]
-            self.child.ask(work, *given)
-            return self.child.answer()
-        except ChildEnded as error:
-            raise WorkerDied from error
-
-
 @contextmanager
-def worker_pool(
-    workers: int, initializer: Callable[..., None] | None = None, arguments: tuple[Any, ...] = ()
-) -> Iterator[Submit]:
-    """Start processes, and yield the function that has them do something.
+def worker_pool(workers: int) -> Iterator[Callable[..., Future[Any]]]:
+    """Start processes, and yield what has one call a function with arguments; all must survive pickling.
 
     Args:
         workers: How many.
-        initializer: What each does first, if anything; must survive pickling.
-        arguments: What it is given.
 
     Raises:
         CannotStart: If the system does not let them be started.
@@ -79,27 +55,37 @@ def worker_pool(
         raise InvalidValue(
             'Workers import the main program; call this under `if __name__ == "__main__":`, or with 1 worker.'
         )
-    first = (initializer, *arguments) if initializer else ()
-    with crew_of(lambda: _Worker(*first), workers, lambda worker: worker.child) as submit:
-        yield lambda work, *given: submit(lambda worker: worker.do(work, *given))
+    about = get_preparation_data("")
+    del about["name"], about["authkey"]  # of `multiprocessing`, which is not used
+
+    def do(child: Child, work: Callable[..., Any], given: tuple[Any, ...]) -> Any:
+        try:
+            child.ask(_do, pickle.dumps(about), pickle.dumps((work, given)))
+            return child.answer()
+        except ChildEnded as error:
+            raise WorkerDied from error
+
+    with crew_of(Child, workers) as submit:
+        yield lambda work, *given: submit(partial(do, work=work, given=given))
 
 
 _imports_main = False
 """Whether this worker process imports the main program."""
 
 
-def _import_main(about: dict[str, Any]) -> None:
+@cache
+def _import_main(about: bytes) -> None:
     global _imports_main
     _imports_main = True
-    prepare(about)
+    prepare(pickle.loads(about))
     _imports_main = False
 
 
-MOST_WORKERS = 256
-AHEAD = 4
-"""Tasks handed out for each worker, so that none waits for the next."""
-Item = TypeVar("Item")
-Result = TypeVar("Result")
+def _do(about: bytes, packed: bytes) -> Any:
+    """Do something in a worker that has imported the main program: what it is given may be from there."""
+    _import_main(about)
+    work, given = pickle.loads(packed)
+    return work(*given)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -135,18 +121,19 @@ def crew(world_factory: WorldFactory, workers: int) -> Iterator[Perform]:
         WorkerDied: From the outcomes, if a worker process ends.
     """
     check_workers(workers)
+    ahead = workers * AHEAD
     if workers == 1:
         world = made(world_factory)
-        yield lambda tasks: (_perform_task(world, task) for task in tasks)
-        return
-    if isinstance(world_factory, OwnFactory):
-        with crew_of(world_factory.another, workers, lambda world: world.process.child) as submit:
+        yield lambda tasks: (_perform(world, task) for task in tasks)
+    elif isinstance(world_factory, OwnFactory):
+        with crew_of(world_factory.another, workers) as submit:
+            yield lambda tasks: in_order(tasks, lambda task: submit(partial(_perform, task=task)), ahead)
+    else:
+        packed = pickle.dumps(world_factory)
+        with worker_pool(workers) as submit_there:
             yield lambda tasks: in_order(
-                tasks, lambda task: submit(partial(_perform_task, task=task)), workers * AHEAD
+                tasks, lambda task: submit_there(_perform_there, packed, task), ahead
             )
-        return
-    with worker_pool(workers, _start_worker, (world_factory,)) as submit_there:
-        yield lambda tasks: in_order(tasks, lambda task: submit_there(_perform_here, task), workers * AHEAD)
 
 
 def perform_all(world_factory: WorldFactory, tasks: Iterable[Task], workers: int) -> Iterator[Outcome]:
@@ -180,25 +167,16 @@ def in_order(
         yield waiting.popleft().result()
 
 
-_factory_here: WorldFactory | None = None
+@lru_cache(maxsize=1)
+def _world_of(packed: bytes) -> World:
+    """Make the world of a worker from its pickled factory, when the first task comes."""
+    return made(pickle.loads(packed))
 
 
-def _start_worker(world_factory: WorldFactory) -> None:
-    global _factory_here
-    _factory_here = world_factory
+def _perform_there(packed: bytes, task: Task) -> Outcome:
+    return _perform(_world_of(packed), task)
 
 
-@cache
-def _world_here() -> World:
-    """Make the world when it is first needed, so that an error in making it is one of a task."""
-    assert _factory_here is not None, "the initializer ran"
-    return made(_factory_here)
-
-
-def _perform_here(task: Task) -> Outcome:
-    return _perform_task(_world_here(), task)
-
-
-def _perform_task(world: World, task: Task) -> Outcome:
+def _perform(world: World, task: Task) -> Outcome:
     aim = relative_to(world, task.reference)
     return world.interact(task.scene, task.action, task.target, put_down=task.put_down, **aim)

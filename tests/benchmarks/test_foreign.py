@@ -6,7 +6,6 @@ import pytest
 
 from tools.benchmarks import foreign
 from tools.benchmarks.foreign import Task, called, judged, plan_in
-from tools.benchmarks.foreign_calls.features import COSTS, PRICED, Feature
 from tools.benchmarks.foreign_calls.planners import PLANNERS, error_in, steps_in
 
 MOVE = ("move", "cup", "here", "there")
@@ -20,8 +19,27 @@ RECORDED = {
 """A plan as each of these planners writes it."""
 
 
-def printed(feature: Feature) -> Task:
-    return Task("a task", *feature.task())
+DOMAIN = """(define (domain table)
+  (:requirements :strips :typing :action-costs)
+  (:types thing place price - object)
+  (:predicates (at ?o - thing ?p - place) (free ?p - place) (priced ?o - thing ?c - price))
+  (:functions (total-cost) (cost ?c - price))
+  (:action move
+    :parameters (?o - thing ?from ?to - place ?c - price)
+    :precondition (and (at ?o ?from) (free ?to) (priced ?o ?c))
+    :effect (and (at ?o ?to) (not (at ?o ?from)) (free ?from) (not (free ?to)) DOES)))
+"""
+PROBLEM = """(define (problem p)
+  (:domain table)
+  (:objects cup - thing here there - place c15 - price)
+  (:init (= (total-cost) 0) (= (cost c15) 15) (priced cup c15) (at cup here) (free there))
+  (:goal (and (at cup there)))METRIC)
+"""
+METRIC = "\n  (:metric minimize (total-cost))"
+
+
+def printed(does: str = "(increase (total-cost) 3)", metric: str = METRIC) -> Task:
+    return Task("a task", DOMAIN.replace("DOES", does), PROBLEM.replace("METRIC", metric))
 
 
 @pytest.mark.parametrize("planner", RECORDED)
@@ -38,11 +56,11 @@ def test_warnings_are_not_taken_for_errors():
 
 
 def test_plan_is_judged_and_its_cost_added_up():
-    for parts, cost in (({}, None), (COSTS, 3), (PRICED, 15)):
-        steps = [(*MOVE, "c15")] if parts is PRICED else [MOVE]
-        found = judged(printed(Feature(parts)), steps)
+    priced = "(increase (total-cost) (cost ?c))"
+    for task, cost in ((printed("", ""), None), (printed(), 3), (printed(priced), 15)):
+        found = judged(task, [(*MOVE, "c15")])
         assert (found["valid"], found["plan_length"], found["cost"]) == (True, 1, cost)
-    assert judged(printed(Feature()), [("move", "cup", "there", "here")])["valid"] is False
+    assert judged(printed(), [("move", "cup", "there", "here", "c15")])["valid"] is False
 
 
 def test_no_plan_is_found_where_no_planner_left_one(tmp_path):
@@ -60,9 +78,9 @@ def test_planner_is_ended_with_what_it_started(tmp_path):
     assert called(["bash", "-c", "exit 3"], tmp_path, 1)[2] == 3
 
 
-def test_call_that_was_measured_is_not_made_again(tmp_path, monkeypatch):
-    words = ["bash", "-c", "echo '(move cup here there)' > plan"]
-    first = foreign.measured("Kairos", printed(Feature()), words, tmp_path, 5)
-    assert first["status"] == "solved"
+def test_call_that_was_measured_is_not_made_again(monkeypatch):
+    words, planner = ["bash", "-c", "echo '(move cup here there c15)' > plan"], PLANNERS["Kairos"]
+    first = foreign.measured(planner, printed(), words, 5)
+    assert (first["status"], first["cost"]) == ("solved", 3)
     monkeypatch.setattr(foreign, "called", None)
-    assert foreign.measured("Kairos", printed(Feature()), words, tmp_path, 5) == first
+    assert foreign.measured(planner, printed(), words, 5, first) == first

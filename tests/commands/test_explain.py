@@ -1,10 +1,6 @@
 """`neurosym explain` prints or writes the meaning of symbols from whatever of a domain folder is there."""
 
-import re
-
 from command_line import neurosym, refusal
-from own_data import own_columns, write_data
-from places import ROOT
 from shipped import FOLDER, GROUNDING
 from tables import table
 
@@ -47,19 +43,6 @@ def test_one_symbol_may_be_asked_for_by_its_bits_or_its_name(kept, capsys):
     assert operator.name in capsys.readouterr().out
 
 
-def test_of_very_many_symbols_each_is_named_and_one_told_of_on_demand(capsys):
-    towers = ROOT / "domains" / "towers"
-    assert neurosym("explain", towers) == 0
-    said = capsys.readouterr().out
-    assert "  1011: push-forward" in said
-    assert "The hand starts" not in said
-    assert "--symbol 0000" in said.splitlines()[-1]
-    assert neurosym("explain", towers, "--symbol", "000b") == 0
-    ends = [line.strip() for line in capsys.readouterr().out.splitlines() if "elsewhere" in line]
-    assert ends
-    assert all(re.fullmatch(r"- \d+% elsewhere", line) for line in ends)
-
-
 def test_operator_left_out_is_printed_with_its_reason(folder, capsys):
     assert neurosym("explain", folder) == 0
     said = " ".join(capsys.readouterr().out.split())
@@ -86,26 +69,15 @@ def test_table_of_operators_alone_is_enough(tmp_path, capsys):
     assert "next:" not in said  # there is nothing to compile a domain with
 
 
-def test_features_are_called_as_data_of_ones_own_call_them(tmp_path, capsys):
-    write_json(tmp_path / "primitives.json", table())
-    columns = own_columns()
-    columns["features"] = columns["features"][:, :4]
-    write_data(tmp_path, columns, {"feature_names": ["mass", "grip", "age", "hue"]})
-    assert neurosym("explain", tmp_path) == 0
-    assert "mass 0.05 ± 0.01, grip 0.05 ± 0.01" in capsys.readouterr().out
-
-
-def test_without_a_grounding_the_reasons_are_those_of_the_usual_grid_and_another_is_pointed_out(folder):
-    text, compiled = (folder / "grounding.json").read_text(), explain_folder(DomainFolder(folder))
-    (folder / "grounding.json").unlink()
-    derived = explain_folder(DomainFolder(folder))
-    assert derived.actions == compiled.actions
-    assert "cells of 5 mm" in derived.summary[-1]
-    (folder / "grounding.json").write_text(text)
+def test_what_is_in_the_domain_is_not_said_without_a_grounding_or_of_another(folder):
+    (folder / "grounding.json").rename(folder / "kept.json")
+    before = explain_folder(DomainFolder(folder))
+    (folder / "kept.json").rename(folder / "grounding.json")
     write_json(folder / "primitives.json", table())
     explanation = explain_folder(DomainFolder(folder))
     assert "compiled from another primitives.json" in explanation.summary[-1]
-    assert not any(row.domain for action in explanation.actions for row in action.effects)
+    for told in (before, explanation):
+        assert not any(row.domain for action in told.actions for row in action.effects)
 
 
 def test_what_is_damaged_missing_or_asked_for_in_vain_is_refused(folder, capsys):

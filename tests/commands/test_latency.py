@@ -7,6 +7,7 @@ import sys
 import pytest
 from command_line import neurosym
 from places import ROOT
+from toy_domain import problem
 
 from neurosym.commands.catalogue import SUMMARIES, command_named, overview
 
@@ -43,8 +44,14 @@ def test_what_needs_no_work_is_answered_without_what_the_work_needs(typed, absen
     assert not loaded(*typed) & absent
 
 
-def test_what_is_needed_is_seen_where_it_is_loaded():
+def test_what_is_needed_is_loaded_and_no_more(bare):
     assert loaded("planners") >= {"neurosym.planners", "msgspec", "tyro", "numpy"}
+    problem({"item-01": (0.68, 0.08, 0.025)}).save(bare / "easy.json")
+    assert neurosym("new-problem", bare, "--scene", bare / "easy.json") == 0
+    found = loaded("plan", str(bare), "easy")
+    assert (bare / "plans/easy.fast-downward.plan").is_file()
+    assert "neurosym.planners.external" in found
+    assert not {"torch", "unified_planning", "pybullet"} & found
 
 
 def test_each_command_is_told_in_its_own_first_sentence():

@@ -64,16 +64,10 @@ def test_encoding_can_be_asked_for_and_what_cannot_say_relations_is_refused(bare
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        (
-            {"relations": (("item-01", "item-02", LIE),)},
-            "no operator brings item-01 to lies-in-010 with",
-        ),
+        ({"relations": (("item-01", "item-02", LIE),)}, "no operator brings item-01 to lies-in-010 with"),
         ({"objects": scene(("cube", 0.5, 0.0, 0.2), ("cube", 0.7, 0.0))}, "does not rest"),
         ({"objects": scene(("cube", 0.5, 0.0), ("cube", 0.51, 0.0))}, "stand in one place"),
-        (
-            {"pairs": {"item-01 item-09": "00"}},
-            "pairs has an entry for 'item-01 item-09'; valid: the",
-        ),
+        ({"pairs": {"item-01 item-09": "00"}}, "pairs has an entry for 'item-01 item-09'; valid: the"),
         ({"foreseen": {"item-01": {"op": 1}}}, "foreseen has an entry for 'item-01'"),
         ({"touching": (("item-01", "item-01"),)}, "touching has an entry for 'item-01 item-01'"),
     ],

@@ -52,16 +52,6 @@ def test_record_of_another_processor_is_the_same_within_a_micrometre(folder, rec
     assert "machine and versions are those of the record" in capsys.readouterr().out
 
 
-def test_another_course_is_told_by_step_field_and_machine(folder, record, capsys):
-    change(record, 1e-3, processor="Other 9000")
-    assert neurosym("replay", folder, record) == 3
-    said = capsys.readouterr().out
-    assert "something else happened" in said
-    assert "first in positions of step 1, " in said
-    assert ", by 1 mm" in said
-    assert "processor: Other 9000 and " in said
-
-
 def test_record_of_an_earlier_version_can_be_run_again(folder, record, capsys):
     run = json.loads(record.read_text())
     del run["machine"], run["tolerance"]
@@ -72,4 +62,11 @@ def test_record_of_an_earlier_version_can_be_run_again(folder, record, capsys):
     record.write_text(json.dumps(run))
     change(record, 1e-3)
     assert neurosym("replay", folder, record) == 3
-    assert "the record does not name its machine" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    for words in (
+        "something else happened",
+        "first in positions of step 1, ",
+        ", by 1 mm",
+        "the record does not name its machine",
+    ):
+        assert words in said

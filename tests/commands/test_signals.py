@@ -93,7 +93,8 @@ def files(folder: Path) -> set[str]:
 @pytest.mark.parametrize(
     ("command", "number"),
     [
-        *(("plan", number) for number in EXIT),
+        ("plan", signal.SIGINT),
+        ("plan", signal.SIGHUP),
         ("execute", signal.SIGTERM),
         ("compare", signal.SIGKILL),
     ],

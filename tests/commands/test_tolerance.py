@@ -1,12 +1,14 @@
 """`--tolerance` of `new-problem`, `plan` and `execute`: how near objects must come, said in every record."""
 
 import json
+import shutil
 from pathlib import Path
 
 import msgspec
 import pytest
 import toy_domain
 from command_line import neurosym, refusal
+from places import ROOT
 
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
@@ -98,3 +100,11 @@ def test_impossible_tolerance_is_refused_before_anything_is_written(bare, capsys
         assert "must be" in refusal(capsys, *command, f"--tolerance={tolerance}")
     for place in ("plans", "runs", "manifest.json"):
         assert not (bare / place).exists()
+
+
+def test_plan_to_come_nearer_is_read_in_the_cells_that_are_printed(tmp_path):
+    folder = tmp_path / "tabletop"
+    shutil.copytree(ROOT / "domains/tabletop", folder)
+    assert neurosym("plan", folder, "task-04", "--tolerance", "0.02") == 0
+    plan = folder / "plans/task-04.fast-downward.plan"
+    assert neurosym("validate", folder, "task-04", plan, "--tolerance", "0.02") == 0

@@ -2,21 +2,13 @@
 
 import numpy as np
 import pytest
+from toy_learning import an_outcome
 
 from neurosym.evaluation.paper_tables import KINDS, kind_of, kinds_found
 from neurosym.operators import CARRIED, Primitive
 from neurosym.primitives.rehearsal import Rehearsals
-from neurosym.world import Outcome, Scene
 
 LIFT_HEIGHT = 0.2
-
-
-def an_outcome(shift=(0.0, 0.0, 0.0), rest=None, **flags):
-    def scene(offset):
-        return Scene(np.ones((1, 4)), np.array([offset], dtype=float), np.array([[0.0, 0, 0, 1]]))
-
-    flags = {"held": False, "toppled": False, "lost": False, "peak_height": 0.0, **flags}
-    return Outcome(scene((0, 0, 0)), scene(shift), scene(shift if rest is None else rest), 0, **flags)
 
 
 OF_KIND = {
@@ -39,12 +31,9 @@ OF_NO_KIND = {
 }
 
 
-def test_each_kind_is_recognised_and_nothing_else():
+def test_each_kind_is_recognised_and_a_push_that_rises_only_above_what_counts_as_carried():
     assert {kind: kind_of(OF_KIND[kind], LIFT_HEIGHT) for kind in KINDS} == {kind: kind for kind in KINDS}
     assert {what for what in OF_NO_KIND if kind_of(OF_NO_KIND[what], LIFT_HEIGHT)} == set()
-
-
-def test_push_that_rises_is_a_pick_and_place_only_above_what_counts_as_carried():
     assert kind_of(an_outcome((0.05, 0, 0), peak_height=CARRIED), LIFT_HEIGHT) == "forward push"
     assert kind_of(an_outcome((0.05, 0, 0), peak_height=CARRIED + 1e-6), LIFT_HEIGHT) == "pick and place"
     dropped = an_outcome((0.0, 0.0, 0.02), (0.05, 0.0, 0.0))

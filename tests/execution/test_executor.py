@@ -26,16 +26,11 @@ PUT_DOWN = PlanStep("put-down-lift-000-cube", "item-01")
 @pytest.mark.parametrize(
     ("has_goal", "plan", "happened", "ends"),
     [
-        ({"item-01": (0.6, 0.16, 0.025)}, [PUSH_LEFT, PUSH_LEFT], ["resting"] * 2, (0.6, 0.16, 0.025)),
-        ({"item-01": (0.6, 0.0, 0.225)}, [LIFT], ["held"], (0.6, 0.0, 0.225)),
-        (
-            {"item-01": (0.6, 0.08, 0.025)},
-            [LIFT, PUT_DOWN, PUSH_LEFT],
-            ["held", "resting"],
-            (0.6, 0.08, 0.025),
-        ),
-        ({"item-01": (0.6, 0.0, 0.025)}, [LIFT, PUT_DOWN], ["held"], (0.6, 0.0, 0.025)),
-        ({}, [PUSH_LEFT], ["resting"], (0.6, 0.08, 0.025)),
+        (True, [PUSH_LEFT, PUSH_LEFT], ["resting"] * 2, (0.6, 0.16, 0.025)),
+        (True, [LIFT], ["held"], (0.6, 0.0, 0.225)),
+        (True, [LIFT, PUT_DOWN, PUSH_LEFT], ["held", "resting"], (0.6, 0.08, 0.025)),
+        (True, [LIFT, PUT_DOWN], ["held"], (0.6, 0.0, 0.025)),
+        (False, [PUSH_LEFT], ["resting"], (0.6, 0.08, 0.025)),
     ],
     ids=["pushed", "held at the end", "put down before the next step", "put down at the end", "no goals"],
 )

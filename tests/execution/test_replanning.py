@@ -1,23 +1,27 @@
 """Replanning: a run goes on until the goal is met, from whatever is seen, and its record can be run again."""
 
+import dataclasses
+
 import msgspec
 import pytest
 import toy_places
 from msgspec.structs import replace
 from toy_domain import WORLD, grounding, problem
 
+from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
 from neurosym.execution.performance import LEAST, MOST, Moment, Nudger, nudged
 from neurosym.execution.record import Nudge
-from neurosym.execution.rerun import compare_runs, rerun
+from neurosym.execution.replanning import PATIENCE, usual_replans, usual_work
+from neurosym.execution.rerun import compare_runs, failure, rerun
 from neurosym.grounding import Grounding
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.problems import Problem
 from neurosym.tasks.transition import PlanStep
-from neurosym.world import Table
+from neurosym.world import Outcome, Scene, Table
 
 PUSH_LEFT = PlanStep("push-left-001-cube", "item-01")
-LIFT = PlanStep("lift-000-cube", "item-01")
+LIFT, PUT_DOWN = PlanStep("lift-000-cube", "item-01"), PlanStep("put-down-lift-000-cube", "item-01")
 AWAY = {"item-01": (0.6, 0.16, 0.025)}
 
 
@@ -119,3 +123,63 @@ def test_what_can_be_brought_to_its_goal_is_where_another_cannot():
     assert "item-02" in run.reason
     assert run.replannings[0].plan, "the first new plan was for the cube"
     assert run.replannings[0].reason, "and says why it is for no more"
+
+
+def counting(task: Problem, learned: Grounding) -> PlanResult:
+    return plan(task, learned, "counting")
+
+
+class Stubborn(type(WORLD)):
+    """The toy world, but nothing moves for the first so many times, or ever."""
+
+    def __init__(self, idle: int) -> None:
+        super().__init__(WORLD.config)
+        self.idle = idle
+
+    def interact(self, scene: Scene, *arguments, **options) -> Outcome:
+        """Act, or find that nothing moves."""
+        self.idle -= 1
+        outcome = super().interact(scene, *arguments, **options)
+        return outcome if self.idle < 0 else dataclasses.replace(outcome, lifted=scene, end=scene, held=False)
+
+
+def test_run_goes_on_as_long_as_it_comes_nearer():
+    """Eight failures in a row are no reason to stop, nor eight more after the object has moved."""
+    run = execute(Stubborn(8), problem(AWAY), grounding(), [PUSH_LEFT, PUSH_LEFT], replanner=counting)
+    assert (run.reached, run.ended, run.reason) == (True, "goal", "")
+    assert len(run.steps) == 10
+
+
+def laborious(task: Problem, learned: Grounding) -> PlanResult:
+    return dataclasses.replace(counting(task, learned), work=usual_work(task) // 2)
+
+
+WORK = f"the budget of {usual_work(problem(AWAY)):,} states for new plans was used up"
+
+
+@pytest.mark.parametrize(
+    ("planner", "replans", "ended", "count", "said", "why"),
+    [
+        (counting, None, "no progress", PATIENCE, "came no nearer to the goal, after 10", "came no nearer"),
+        (counting, 3, "budget", 3, "all 3 new plans were used up", "were used up"),
+        (laborious, None, "work", 2, f"gave up planning anew: {WORK}", "were used up"),
+    ],
+)
+def test_run_without_progress_ends_with_its_budget_which_is_named(planner, replans, ended, count, said, why):
+    options = {} if replans is None else {"replans": replans}
+    run = execute(Stubborn(1000), problem(AWAY), grounding(), [PUSH_LEFT], replanner=planner, **options)
+    assert (run.reached, run.ended, len(run.replannings)) == (False, ended, count)
+    assert said in run.reason
+    assert failure(run) == f"new plans {why}"
+    assert usual_replans([LIFT, PUT_DOWN, PUSH_LEFT]) == PATIENCE + 4
+
+
+def test_object_that_was_moved_out_of_reach_is_named(monkeypatch):
+    def refuse(*arguments: object, **options: object) -> Outcome:
+        raise InvalidValue("out of reach")
+
+    world = Stubborn(0)
+    monkeypatch.setattr(world, "interact", refuse)
+    run = execute(world, problem(AWAY), grounding(), [PUSH_LEFT])
+    assert (run.ended, run.steps[0].happened) == ("out of reach", "not performed")
+    assert "item-01 was out of the arm's reach in step 1" in run.reason

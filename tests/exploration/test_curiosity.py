@@ -1,31 +1,26 @@
 """Curiosity chooses what a naive reading of its definition chooses, and disagreement gets over noise."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import torch
+from toy_learning import toy_data
 
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import Dimensions
 from neurosym.errors import InvalidValue
-from neurosym.exploration.curiosity import Curiosity, LearningConfig, make_curiosity
+from neurosym.exploration.curiosity import LearningConfig, make_curiosity
 from neurosym.exploration.loop import ExplorationConfig, choose_action
 from neurosym.learning.training_config import ModelConfig
-from neurosym.world import Mirror
 from neurosym.worlds.toy import make_world
 
 CONFIG = ExplorationConfig(candidates=50)
 BRIEF = LearningConfig(epochs=1, ensemble=3, ensemble_hidden=16)
 
 
-def curious(about, mirrors=(), seed=0, config=BRIEF, dimensions=None, network=None):
-    return make_curiosity(
-        about, dimensions or Dimensions(), network or ModelConfig(hidden=16), config, mirrors, seed
-    )
-
-
-def drawn(number, seed=7):
-    """The scene and the candidates of an interaction."""
-    return drawn_with(np.random.default_rng([seed, number]))
+def curious(about, seed=0, config=BRIEF, dimensions=None, network=None):
+    return make_curiosity(about, dimensions or Dimensions(), network or ModelConfig(hidden=16), config, seed)
 
 
 def drawn_with(rng):
@@ -33,12 +28,8 @@ def drawn_with(rng):
     return scene, make_world().action_box.sample(rng, CONFIG.candidates).astype(np.float32)
 
 
-def toy_data(rows=200):
-    world, rng = make_world(), np.random.default_rng(1)
-    actions = world.action_box.sample(rng, rows)
-    scenes = [world.sample_scene(rng, 1) for _ in range(rows)]
-    outcomes = [world.interact(scene, action, 0) for scene, action in zip(scenes, actions, strict=True)]
-    return Interactions.from_outcomes(outcomes, actions, {})
+def some_data():
+    return replace(toy_data(200), origin={})
 
 
 def naive_entropy(curiosity, features, candidate):
@@ -75,7 +66,7 @@ def naive_pick(about, scores, rng):
 def test_curiosity_chooses_what_a_naive_loop_over_the_candidates_chooses(about, learned):
     curiosity = curious(about)
     if learned:
-        curiosity.learn(toy_data(), 1)
+        curiosity.learn(some_data(), 1)
     for number in range(4):
         task = choose_action(make_world(), curiosity, CONFIG, 7, number)
         rng = np.random.default_rng([7, number])
@@ -93,57 +84,6 @@ def test_disagreement_of_networks_draws_in_proportion_and_never_what_they_agree_
     assert disagreement.pick(np.zeros(3), rng) in range(3)  # they agree on everything
 
 
-def test_without_curiosity_the_first_candidate_is_taken():
-    task = choose_action(make_world(), None, CONFIG, 7, 0)
-    np.testing.assert_array_equal(task.action, drawn(0)[1][0])
-
-
-@pytest.mark.parametrize("about", NAIVE)
-def test_expected_sizes_are_sums_of_absolute_mean_predictions(about):
-    curiosity = curious(about)
-    curiosity.learn(toy_data(), 1)
-    scene, candidates = drawn(0)
-    for candidate, size in zip(
-        candidates, curiosity.expected_sizes(scene.features[0], candidates), strict=True
-    ):
-        answers = [network.predict(scene.features, candidate[None]) for network in curiosity.networks]
-        means = [answer[0] if about == "entropy" else answer for answer in answers]
-        assert size == pytest.approx(np.abs(sum(means) / len(means)).sum(), rel=1e-4)
-
-
-class FirstNumberUnknown(Curiosity):
-    """Knows least where an action's first number is greatest, and expects effects as great as its second."""
-
-    def __init__(self):
-        super().__init__((), BRIEF, (), 0)
-
-    def uncertainties(self, features, candidates):  # noqa: ARG002, D102
-        return candidates[:, 0]
-
-    def expected_sizes(self, features, candidates):  # noqa: ARG002, D102
-        return np.abs(candidates[:, 1])
-
-    def loss(self, samples, generator):  # noqa: ARG002, D102
-        raise AssertionError("knows all it ever will")
-
-
-@pytest.mark.parametrize("least", [0.0, 0.02, 0.045, 1.0])
-def test_only_candidates_of_the_predicted_size_are_chosen_from_if_there_are_any(least):
-    config = ExplorationConfig(candidates=50, min_predicted_effect=least)
-    for number in range(10):
-        action = choose_action(make_world(), FirstNumberUnknown(), config, 7, number).action
-        _, candidates = drawn(number)
-        fitting = [candidate for candidate in candidates if abs(candidate[1]) >= least]
-        best = max(fitting or list(candidates), key=lambda candidate: candidate[0])
-        np.testing.assert_array_equal(action, best)
-
-
-def test_the_filter_sometimes_has_candidates_to_choose_from_and_sometimes_none():
-    sizes = [np.abs(drawn(number)[1][:, 1]) for number in range(10)]
-    assert all((size >= 0.02).any() and not (size >= 0.02).all() for size in sizes)
-    assert not any((size >= 1.0).any() for size in sizes)
-
-
 def test_networks_that_shall_disagree_begin_differently_and_those_of_a_seed_alike():
     one, again, other = curious("disagreement"), curious("disagreement"), curious("disagreement", seed=1)
     names = [name for name in one.state() if name.startswith("0/") and name.endswith("1.weight")]
@@ -156,8 +96,10 @@ def test_networks_that_shall_disagree_begin_differently_and_those_of_a_seed_alik
 
 @pytest.mark.parametrize("about", NAIVE)
 def test_what_was_restored_goes_on_learning_to_the_same_bits(about):
-    data, curiosity, restored = toy_data(), curious(about), curious(about, seed=0)
+    before = torch.random.get_rng_state()
+    data, curiosity, restored = some_data(), curious(about), curious(about, seed=0)
     curiosity.learn(data, 1)
+    assert torch.equal(before, torch.random.get_rng_state())
     restored.restore(curiosity.state())
     for each in (curiosity, restored):
         each.learn(data, 2)
@@ -166,15 +108,14 @@ def test_what_was_restored_goes_on_learning_to_the_same_bits(about):
 
 @pytest.mark.parametrize("about", NAIVE)
 def test_mirrors_change_what_is_learned_and_axes_they_turn_round_have_no_mean(about):
-    mirrors = (Mirror(actions=(0, 4, 8), effects=(0,)),)
-    plain, mirrored = curious(about), curious(about, mirrors)
-    data = toy_data()
-    for curiosity in (plain, mirrored):
-        curiosity.learn(data, 1)
+    data, (plain, mirrored) = some_data(), (curious(about), curious(about))
+    origin = {"mirrors": [{"actions": [0, 4, 8], "effects": [0]}]}
+    plain.learn(data, 1)
+    mirrored.learn(replace(data, origin=origin), 1)
     means = mirrored.networks[0].effect_mean.numpy()
     np.testing.assert_allclose(means, [0.0, *data.effects.mean(0)[1:]], atol=1e-6)
-    features, candidates = drawn(0)[0].features[0], drawn(0)[1]
-    known = [curiosity.uncertainties(features, candidates) for curiosity in (plain, mirrored)]
+    scene, candidates = drawn_with(np.random.default_rng(7))
+    known = [one.uncertainties(scene.features[0], candidates) for one in (plain, mirrored)]
     assert not np.allclose(*known)
 
 
@@ -210,14 +151,16 @@ def test_disagreement_falls_where_only_luck_decides_and_entropy_stays():
 
 
 @pytest.mark.parametrize(
-    "option", [{"epochs": 0}, {"batch": 0}, {"ensemble": 1}, {"learning_rate": 0.0}, {"clip_norm": -1.0}]
+    ("kind", "option"),
+    [
+        (LearningConfig, {"epochs": 0}),
+        (LearningConfig, {"learning_rate": 0.0}),
+        (LearningConfig, {"ensemble": 1}),
+        (LearningConfig, {"clip_norm": -1.0}),
+        (ExplorationConfig, {"candidates": 0}),
+        (ExplorationConfig, {"block": 0}),
+    ],
 )
-def test_impossible_options_are_refused(option):
+def test_impossible_options_are_refused(kind, option):
     with pytest.raises(InvalidValue, match=next(iter(option))):
-        LearningConfig(**option)
-
-
-def test_asking_leaves_the_state_of_torch_as_it_was():
-    before = torch.random.get_rng_state()
-    curious("disagreement").learn(toy_data(50), 1)
-    assert torch.equal(before, torch.random.get_rng_state())
+        kind(**option)

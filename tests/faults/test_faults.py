@@ -14,32 +14,21 @@ from command_line import neurosym
 from places import ROOT
 
 from neurosym.commands.arguments import read_arguments
-from tools.faults.clocks import HOOK
 from tools.faults.commands import MARK, Ending, Running, content, differences, left_by
-from tools.faults.disks import cannot_mount, disks
-from tools.faults.kills import kills
-from tools.faults.limits import limits
-from tools.faults.pairs import pairs
+from tools.faults.journal import Journal, Trial, page, summarise
 from tools.faults.subjects import TASK, WORLDS, Bench, stages, subjects
-from tools.faults.tables import page, summarise
-from tools.faults.trials import Journal, Trial
+from tools.faults.trials import HOOK, cannot_mount, disks, kills, limits, pairs
 
 PLANNING = subjects("toy")[0]
 
 
 @pytest.fixture(scope="module")
-def learned(toy_folder: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A toy folder with a problem that is planned for."""
-    folder = tmp_path_factory.mktemp("faults") / "learned-toy"
-    shutil.copytree(toy_folder, folder)
-    assert neurosym("new-problem", folder, "--name", TASK, "--seed", 1) == 0
-    return folder
-
-
-@pytest.fixture
-def bench(learned: Path, tmp_path: Path) -> Bench:
-    shutil.copytree(learned, tmp_path / "learned-toy")
-    return Bench(tmp_path)
+def bench(toy_folder: Path, tmp_path_factory: pytest.TempPathFactory) -> Bench:
+    """Where trials take place, with a toy folder that has a problem to be planned for."""
+    place = tmp_path_factory.mktemp("faults")
+    shutil.copytree(toy_folder, place / "learned-toy")
+    assert neurosym("new-problem", place / "learned-toy", "--name", TASK, "--seed", 1) == 0
+    return Bench(place)
 
 
 def test_what_is_disturbed_can_be_typed():

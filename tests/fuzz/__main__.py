@@ -24,8 +24,6 @@ from neurosym.stages.console import say
 
 OFTEN = 50
 """After so many cases it says how far it is."""
-SIGNALS = 8
-"""So many of a hundred cases are sent a signal."""
 
 
 class Round:
@@ -50,7 +48,7 @@ class Round:
         """Try case after case."""
         seeds = read_seeds(self.folder / "toy")
         while time.monotonic() < until:
-            case = drawn_case(Random(self.tried), ENDING, seeds, signals=SIGNALS)
+            case = drawn_case(Random(self.tried), ENDING, seeds)
             for finding in judge(case, self.run.run(case)):
                 self.keep(finding, case)
             self.tried += 1

@@ -1,4 +1,7 @@
-"""A case: a domain folder, learned once, with a few files changed, a command line, and a signal."""
+"""A case: a domain folder, learned once, with a few files changed, and a command line.
+
+What signals do is tried by `make faults`.
+"""
 
 import base64
 import json
@@ -19,7 +22,6 @@ READS = {
     "check": "interactions.npz",
     "train": "interactions.npz manifest.json",
     "distill": "*_model.safetensors interactions.npz world.toml manifest.json",
-    "practise": "pr*.json *_model.safetensors interactions.npz world.toml manifest.json",
     "compile-domain": "pr*.json world.toml manifest.json",
     "new-problem": "world.toml grounding.json effect_model.safetensors manifest.json problems/*.scene.json",
     "plan": "grounding.json problems/* world.toml effect_model.safetensors manifest.json",
@@ -29,7 +31,6 @@ READS = {
     "show": "interactions.npz grounding.json problems/*.scene.json world.toml effect_model.* manifest.json",
     "explain": "*.json interactions.npz world.toml effect_model.safetensors",
     "report": "*",
-    "evaluate": "kinds.json comparison/*/*.json *ing.json interactions.npz *_model.* primitives.json",
 }
 """Which files each command reads, as patterns: mostly one of these is changed."""
 OFTEN = ("plan", "execute", "explain", "report", "train", "distill", "compile-domain", "new-problem")
@@ -38,9 +39,6 @@ LONG = {"demo"}
 """Commands that are not drawn: they read no file of a user's, and take a minute."""
 STAGES = {"whole": "*", "explored": "world.toml interactions.npz", "begun": "world.toml", "empty": ""}
 """How far the domain folder came: which of its files are there, as patterns."""
-SIGNALS = ("SIGINT", "SIGINT", "SIGTERM", "SIGHUP")
-LONGEST_WAIT = 1.5
-"""When a signal is sent at the latest, after the command began [s]."""
 
 
 class Edit(msgspec.Struct, frozen=True):
@@ -52,21 +50,11 @@ class Edit(msgspec.Struct, frozen=True):
 
 
 class Case(msgspec.Struct, frozen=True):
-    """What is tried.
+    """What is tried."""
 
-    Attributes:
-        arguments: What is typed after `neurosym`; bytes that are no UTF-8 as `os.fsdecode` has them.
-        stage: How far the domain folder came, one of `STAGES`.
-        edits: What is changed in it before.
-        signal: What the process is sent, if anything is.
-        after: When [s].
-    """
-
-    arguments: tuple[str, ...]
-    stage: str = "whole"
-    edits: tuple[Edit, ...] = ()
-    signal: str | None = None
-    after: float = 0.0
+    arguments: tuple[str, ...]  # typed after `neurosym`; bytes that are no UTF-8 as `os.fsdecode` has them
+    stage: str = "whole"  # how far the domain folder came, one of `STAGES`
+    edits: tuple[Edit, ...] = ()  # what is changed in it before
 
     def prepare(self, folder: Path) -> None:
         """Take away and change files of a domain folder."""
@@ -91,10 +79,8 @@ def from_json(text: str) -> Case:
     return msgspec.convert(json.loads(text), Case)
 
 
-def drawn_case(
-    draw: Random, commands: dict[str, Callable[..., int]], seeds: dict[str, bytes], *, signals: int = 0
-) -> Case:
-    """Draw a command and changes to files, the seeds; so many of a hundred are sent a signal."""
+def drawn_case(draw: Random, commands: dict[str, Callable[..., int]], seeds: dict[str, bytes]) -> Case:
+    """Draw a command, and changes to files, the seeds."""
     often = (name for name in OFTEN if name in commands)
     name = draw.choice((*sorted(commands.keys() - LONG), *often))
     arguments = command_line(draw, name, commands[name])
@@ -105,9 +91,7 @@ def drawn_case(
     for _ in range(draw.choice((0, 1, 1, 1, 1, 2))):
         path = draw.choice(sorted(likely if likely and draw.random() < 0.9 else seeds))
         edits[path] = _edit(draw, path, seeds)
-    signal = draw.choice(SIGNALS) if draw.randint(0, 99) < signals else None
-    after = round(draw.uniform(0, LONGEST_WAIT), 3) if signal else 0.0
-    return Case(arguments, stage, tuple(edits.values()), signal, after)
+    return Case(arguments, stage, tuple(edits.values()))
 
 
 def _fits(path: str, patterns: str) -> bool:
@@ -136,8 +120,6 @@ MORE = (
     "new-problem {0} --name long --seed 5 --objects 3 --actions 4",
     "plan {0} long",
     "compare {0} --tasks 2 --workers 1 --planners counting fast-downward",
-    "evaluate {0} --workers 1",
-    "practise {0} --interactions 60 --workers 1",
 )
 """What is added to a learned folder, so that every format that is read has a seed."""
 RELATED = (

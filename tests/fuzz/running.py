@@ -26,30 +26,19 @@ LONGEST_LINE = 3000
 """How long a line of a message may be [characters]."""
 FINE = {0, 2, 3, 130}
 """How commands end by themselves."""
-_NUMBERS = {"SIGINT": 130, "SIGTERM": 143, "SIGHUP": 129}
 _ROOT = Path(__file__).parent.parent.parent
 
 
 @dataclass(frozen=True, slots=True)
 class Ending:
-    """How a case ended.
+    """How a case ended."""
 
-    Attributes:
-        code: Its exit code, as a shell has it.
-        stage: 0 if it ended by itself, 1 if it had to be interrupted, 2 if it had to be killed.
-        memory: The most that it held [bytes].
-        left: Processes that it left behind.
-        files: Files that it left behind.
-        output: What it printed.
-        errors: What it printed as errors.
-    """
-
-    code: int = 0
-    stage: int = 0
-    memory: int = 0
-    left: tuple[str, ...] = ()
+    code: int = 0  # as a shell has it
+    stage: int = 0  # 0 if it ended by itself, 1 if it had to be interrupted, 2 if it had to be killed
+    memory: int = 0  # the most that it held [bytes]
+    left: tuple[str, ...] = ()  # processes and files that it left behind
     files: tuple[str, ...] = ()
-    output: str = ""
+    output: str = ""  # what it printed, and what as errors
     errors: str = ""
 
 
@@ -81,8 +70,6 @@ class Runner:
             request = {
                 "arguments": case.arguments,
                 "place": place,
-                "signal": case.signal,
-                "after": case.after,
                 "work": MOST_WORK,
                 "patience": SHORT_PATIENCE if asks_for_much(case.arguments) else PATIENCE,
             }
@@ -161,9 +148,7 @@ def _bad_end(case: Case, ending: Ending, command: str) -> str:
         return f"deaf to Ctrl-C: {command}"
     if ending.stage == 1:
         return "" if asks_for_much(case.arguments) else f"no end: {command}"
-    if code not in FINE and code != _NUMBERS.get(case.signal):
-        if case.signal == "SIGINT" and not innermost(ending.errors):
-            return ""  # Python itself was still starting
+    if code not in FINE:
         last = re.sub(r"\d+|'[^']*'|/\S+", "*", (ending.errors.strip().splitlines() or [""])[-1])[:100]
         return f"exit code {code}: {last}"
     return "exit code 2 without a word" if code == 2 and not ending.errors.strip() else ""

@@ -95,23 +95,17 @@ def perform(request: dict[str, Any]) -> dict[str, Any]:
     """Run a command in a process of its own, and watch how it ends.
 
     Args:
-        request: `arguments`, `place` (a folder with `home`, `tmp`, and files for what it prints), `signal`
-            and `after`, and when it is interrupted: after `work` [CPU s] or `patience` [s].
+        request: `arguments`, `place` (a folder with `home`, `tmp`, and files for what it prints), and when it
+            is interrupted: after `work` [CPU s] or `patience` [s].
     """
-    begun, beginning = os.pipe()
     process = os.fork()
     if process == 0:
-        os.close(begun)
-        _become(request, beginning)
-    os.close(beginning)
-    os.read(begun, 1)
-    os.close(begun)
+        _become(request)
     return {**_watch(process, request), "left": _left_behind()}
 
 
 def _watch(process: int, request: dict[str, Any]) -> dict[str, Any]:
-    start, stage, pending = time.monotonic(), 0, request["signal"]
-    deadline = request["patience"]
+    start, stage, deadline = time.monotonic(), 0, request["patience"]
     while True:
         ended, status, usage = os.wait4(process, os.WNOHANG)
         if ended:
@@ -119,9 +113,6 @@ def _watch(process: int, request: dict[str, Any]) -> dict[str, Any]:
             code = code if code >= 0 else 128 - code
             return {"code": code, "stage": stage, "memory": usage.ru_maxrss * 1024}
         now = time.monotonic() - start
-        if pending and now >= request["after"]:
-            os.kill(process, getattr(signal, pending))
-            pending = None
         if stage < 2 and (now >= deadline or (stage == 0 and _cpu_seconds(process) >= request["work"])):
             os.kill(process, (signal.SIGINT, signal.SIGKILL)[stage])
             stage, deadline = stage + 1, now + GRACE
@@ -137,7 +128,7 @@ def _cpu_seconds(process: int) -> float:
 def _left_behind() -> list[str]:
     """Name the processes that outlive the command that started them, and end them."""
     deadline = time.monotonic() + LINGER
-    while (left := _children()) and time.monotonic() < deadline:
+    while _children() and time.monotonic() < deadline:
         time.sleep(0.01)
     names = []
     while left := _children():
@@ -159,13 +150,11 @@ def _children() -> list[int]:
     return [int(number) for number in listed.split()]
 
 
-def _become(request: dict[str, Any], beginning: int) -> None:
+def _become(request: dict[str, Any]) -> None:
     """Turn this process into the command; does not return."""
     code = 1
     try:
         _settle(request)
-        os.write(beginning, b".")
-        os.close(beginning)
         code = _call(request["arguments"])
     except BaseException:
         traceback.print_exc()

@@ -8,15 +8,15 @@ from random import Random
 import pytest
 import toy_relations
 from command_line import neurosym
-from fuzz.cases import MORE, Case, Edit, as_json, drawn_case, from_json, perform, read_seeds
+from fuzz.cases import MORE, Case, Edit, as_json, drawn_case, from_json, read_seeds
 from fuzz.lines import ENDING, asks_for_much, command_line
 from fuzz.mutations import KINDS, MUTATIONS, mutated
 from fuzz.running import Ending, judge, runner
 
 from neurosym.stages import layout
 
-ROUND = range(24)
-"""The cases of the short round, by the numbers that they are drawn from."""
+ROUND = (*range(14), *range(15, 24))
+"""The cases of the short round, by the numbers that they are drawn from; 14 only distils, for seconds."""
 RELATED = ("plan", "execute", "replay", "new-problem", "show", "explain", "report")
 """Commands that read what is known of relations."""
 TRACEBACK = """Traceback (most recent call last):
@@ -34,7 +34,8 @@ MemoryError
 def seed(toy_folder, tmp_path_factory) -> Path:
     """A domain folder with a file of every format that is read."""
     folder = Path(shutil.copytree(toy_folder, tmp_path_factory.mktemp("fuzz") / "toy"))
-    perform(folder, *MORE)
+    for line in MORE:
+        assert neurosym(*(word.format(folder) for word in line.split())) == 0
     return folder
 
 
@@ -102,7 +103,7 @@ def test_something_else_can_stand_in_the_place_of_a_file(kind, tmp_path):
 
 
 def test_case_can_be_written_down_and_what_asks_for_much_is_known():
-    case = Case(("plan", "\udcff.plan", "\x1b"), "begun", (Edit("world.toml", "fifo"),), "SIGTERM", 0.5)
+    case = Case(("plan", "\udcff.plan", "\x1b"), "begun", (Edit("world.toml", "fifo"),))
     assert from_json(as_json(case)) == case
     assert asks_for_much(("explore", "toy", "--steps", "9223372036854775808"))
     assert not asks_for_much(("explore", "toy", "--steps", "64"))
@@ -113,7 +114,6 @@ def test_case_can_be_written_down_and_what_asks_for_much_is_known():
     [
         ("MemoryError in neurosym/files.py:read_json", {"code": 1, "errors": TRACEBACK}),
         ("exit code 139: ", {"code": 139}),
-        ("exit code 143: ", {"code": 143}),
         ("exit code 2 without a word", {"code": 2}),
         ("a message with None: check", {"code": 2, "errors": "None: No space left on device\n"}),
         ("a control character: check", {"output": "\x1b[31mred"}),
@@ -131,6 +131,5 @@ def test_case_can_be_written_down_and_what_asks_for_much_is_known():
 )
 def test_bad_ends_are_findings_and_good_ones_are_not(key, changes):
     assert [finding.key for finding in judge(Case(("check", "toy")), Ending(**changes))] == [key]
-    for code in (0, 2, 3, 130, 143):
-        good = Ending(code=code, errors="There is none.\n")
-        assert judge(Case(("plan", "toy"), signal="SIGTERM"), good) == []
+    for code in (0, 2, 3, 130):
+        assert judge(Case(("plan", "toy")), Ending(code=code, errors="There is none.\n")) == []

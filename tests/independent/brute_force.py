@@ -29,18 +29,11 @@ class Move:
 
 @dataclass(frozen=True)
 class Answer:
-    """What the search says: the fewest primitives, or that there is no plan, or how deep it looked.
+    """What the search says: the fewest primitives, or that there is no plan, or how deep it looked."""
 
-    Attributes:
-        fewest: The fewest primitives; None if none was found.
-        is_exact: Whether everything that can be reached was looked at, or a plan was found.
-        depth: All plans of so many primitives were looked at.
-        steps: The plan.
-    """
-
-    fewest: int | None
-    is_exact: bool
-    depth: int
+    fewest: int | None  # primitives; None if no plan was found
+    is_exact: bool  # whether everything that can be reached was looked at, or a plan was found
+    depth: int  # all plans of so many primitives were looked at
     steps: tuple[Step, ...] = ()
 
 

@@ -5,33 +5,25 @@ says that there is no plan, or that one has the fewest primitives, is compared w
 that is known, and with `brute_force`.
 """
 
-import itertools
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
-import msgspec
 from independent.brute_force import Search
 from independent.ground_pddl import judge
 from independent.random_tables import Drawn
-from independent.replay import PUT_DOWN, domain_operators, read_text, replay
-from msgspec.structs import replace
+from independent.replay import PUT_DOWN, domain_operators, replay
 
 from neurosym.errors import InvalidValue
-from neurosym.pddl.compiler import GroundPlan, domain_text, ground_plan, problem_text
-from neurosym.pddl.numeric import numeric_problem
-from neurosym.pddl.strips_problem import StripsProblem, printed_cell
-from neurosym.pddl.syntax import ENCODINGS, NUMERIC, STRIPS, EncodingName
+from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
+from neurosym.pddl.strips_problem import printed_cell
 from neurosym.planners import PLANNERS, PlanStatus
 from neurosym.planners.planner import Planner, Query
-from neurosym.problems import Problem
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep
 
 FEW = 3
 """Brute force counts the primitives of so many objects."""
-MOVED = ((0.0, 0.0), (0.02, 0.01), (-0.03, 0.02))
-"""By how much goals are moved for the known plan, so that it ends about where the tolerance does [m]."""
 
 
 @dataclass
@@ -56,14 +48,9 @@ def run(
     most_states: int = 200_000,
     figures: Figures | None = None,
 ) -> Figures:
-    """Give tables to all planners that are here, and judge what they answer.
+    """Give tables to all planners that are here and chosen, each for so long [s], and judge what they answer.
 
-    Args:
-        tables: The tables.
-        time_limit: How long each has for each [s].
-        chosen: Which planner is asked, in which encoding, about which table.
-        most_states: How many states brute force looks at.
-        figures: What earlier campaigns found, to which this one adds.
+    Brute force looks at so many states. What is found is added to the figures of earlier campaigns.
     """
     figures = figures or Figures()
     here = [planner for planner in PLANNERS.values() if not planner.missing()]
@@ -72,19 +59,15 @@ def run(
         for planner, encoding in ((one, name) for one in here for name in one.encodings or (None,)):
             if chosen(planner.name, encoding, drawn):
                 table.ask(planner, encoding, time_limit)
-        table.judge_known()
         table.compare(most_states)
     return figures
 
 
 @dataclass
 class _Table:
-    """A table, and what planners say of it.
+    """A table, what is found of it and others, and what planners say of it.
 
-    Attributes:
-        drawn: The table.
-        figures: What is found of this one and others.
-        claims: Who said how it ended, what for, and how many primitives a valid plan has.
+    Claims say who said how it ended, what for, and how many primitives a valid plan has.
     """
 
     drawn: Drawn
@@ -133,38 +116,6 @@ class _Table:
         counts["printed"] += 1
         if wrong := judge(domain, problem_text(drawn.problem, drawn.grounding, plans=[plan]), plan.text):
             self.find(who, f"valid, but not in the problem that is printed for it: {wrong}")
-
-    def printed(self, problem: Problem, encoding: EncodingName, reckoned: int, plan: GroundPlan) -> str:
-        """Print a problem, with the rounding of so many steps in mind, and with what a plan moves."""
-        task = understand(problem, self.drawn.grounding)
-        if encoding == NUMERIC:
-            return numeric_problem(task, steps=reckoned).text()
-        return StripsProblem(task, led=plan.led, steps=reckoned, kept=plan.moves).data().text()
-
-    def judge_known(self) -> None:
-        """Judge the known plan by the theorem: what PDDL takes for valid meets the goal exactly."""
-        drawn, counts = self.drawn, self.figures.counts["theorem"]
-        if drawn.known is None or self.is_off_table():
-            return
-        steps = tuple(PlanStep(*step) for step in drawn.known)
-        most = max(Counter(step.object for step in steps if not step.puts_down).values())
-        for encoding, (dx, dy) in itertools.product(ENCODINGS, MOVED):
-            goals = {name: (x + dx, y + dy, z) for name, (x, y, z) in drawn.problem.goals.items()}
-            moved = replace(drawn.problem, goals=goals)
-            try:
-                plan = ground_plan(steps, moved, drawn.grounding, encoding)
-            except InvalidValue:
-                continue  # it leads off the grid
-            text = self.printed(moved, encoding, most, plan)
-            if encoding == STRIPS and any(text.count(f"(goal-cell {name} ") < 2 for name in goals):
-                continue  # no bound vouches for a region of one cell
-            counts["plans judged"] += 1
-            if judge(domain_text(drawn.grounding, encoding), text, plan.text):
-                continue
-            counts["valid in PDDL"] += 1
-            raw = {**drawn.scene_json, "goals": read_text(msgspec.json.encode(goals).decode())}
-            if wrong := replay(drawn.domain_json, raw, drawn.known, drawn.own)[0]:
-                self.find("theorem", f"{encoding}, {dx, dy}: {wrong}")
 
     def is_off_table(self) -> bool:
         table = self.drawn.grounding.table

@@ -31,29 +31,17 @@ _TRIES = 200
 
 @dataclass(frozen=True, eq=False)
 class Drawn:
-    """A domain and a problem, as neurosym has them and as its files say them.
+    """A domain and a problem, as neurosym has them and as its files say them."""
 
-    Attributes:
-        number: Number of the draw.
-        kind: How the goals came about.
-        is_whole: Whether cells lose nothing: all displacements and places are whole numbers of them.
-        grounding: The domain.
-        problem: The problem.
-        domain_json: What `grounding.json` says.
-        scene_json: What the scene's file says.
-        known: A plan that is known to be valid, if one is.
-        own: By how much operators move objects, if they have steps of their own; as the problem is printed.
-    """
-
-    number: int
-    kind: Kind
-    is_whole: bool
+    number: int  # of the draw
+    kind: Kind  # how the goals came about
+    is_whole: bool  # whether cells lose nothing: all displacements and places are whole numbers of them
     grounding: Grounding
     problem: Problem
-    domain_json: Json
-    scene_json: Json
-    known: tuple[Step, ...] | None
-    own: Mapping[Step, Point] | None = None
+    domain_json: Json  # what `grounding.json` says
+    scene_json: Json  # what the scene's file says
+    known: tuple[Step, ...] | None  # a plan that is known to be valid, if one is
+    own: Mapping[Step, Point] | None = None  # by how much operators move objects, if printed for each
 
 
 def draw(number: int, kind: Kind | None = None, objects: int | None = None) -> Drawn:

@@ -105,23 +105,14 @@ def _is_worth_having(operator: Json, cell: Decimal) -> bool:
 
 @dataclass
 class Tabletop:
-    """What the replay knows of a scene: where everything is, and what the hand holds.
+    """What the replay knows of a scene: where everything is, and what the hand holds."""
 
-    Attributes:
-        grounding: The raw `grounding.json`.
-        scene: The raw scene file of a problem.
-        own: By how much operators move objects [m], if they have steps of their own; see `random_sizes`.
-        places: Where the centre of each object is [m].
-        held: The object in the hand and the operator that lifted it, or None.
-        primitives: How many primitives were done.
-    """
-
-    grounding: Json
-    scene: Json
-    own: Mapping[Step, Point] | None = None
-    places: dict[str, Point] = field(default_factory=dict)
-    held: Step | None = None
-    primitives: int = 0
+    grounding: Json  # the raw `grounding.json`
+    scene: Json  # the raw scene file of a problem
+    own: Mapping[Step, Point] | None = None  # by how much operators move objects [m]; see `random_sizes`
+    places: dict[str, Point] = field(default_factory=dict)  # where the centre of each object is [m]
+    held: Step | None = None  # the operator that lifted what is in the hand, and that object
+    primitives: int = 0  # how many were done
 
     def __post_init__(self) -> None:
         self.operators = {one["name"]: one for one in self.grounding["operators"]["operators"]}

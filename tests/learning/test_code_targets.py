@@ -1,13 +1,14 @@
-"""What codes stand for at first: planted kinds are found, and names cost what they should."""
+"""What codes stand for at first: planted blocks are found, and codes one bit apart are alike."""
 
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, permutations
 
 import numpy as np
 import torch
 from toy_learning import BRIEF
 
 from neurosym.data.origin import Dimensions
+from neurosym.learning.coclustering import cocluster, gray_order, nearest, profiles
 from neurosym.learning.losses import Samples
 from neurosym.learning.network import DirectModel
 from neurosym.learning.recipes import _costs, _some_of_each, find_code_targets
@@ -57,24 +58,6 @@ def test_planted_kinds_of_action_and_object_each_get_a_code():
     assert torch.equal(object_codes, is_positive) or torch.equal(object_codes, 1 - is_positive)
 
 
-def test_names_cost_the_squared_distance_of_what_they_say():
-    targets = planted_targets()
-    said = targets.effects.mean(1) - ALONG_OBJECTS.mean(0)  # of each code of actions
-    true = ALONG_ACTIONS[kinds_of_actions(targets.actions)]
-    expected = ((true[:, None] - said) ** 2).sum(2)
-    torch.testing.assert_close(targets.action_costs, expected / expected.mean(), atol=1e-4, rtol=1e-4)
-
-
-def test_codes_one_bit_apart_are_more_alike_than_those_two_bits_apart():
-    effects = planted_targets().effects
-    apart = {
-        (a, b): float(((effects[a] - effects[b]) ** 2).sum()) * (a ^ b).bit_count()
-        for a, b in combinations(range(4), 2)
-    }
-    far = [value / 2 for (a, b), value in apart.items() if (a ^ b).bit_count() == 2]
-    assert max(apart.values()) / 2 in far  # the most different pair is not made neighbours
-
-
 def test_costs_agree_with_a_naive_computation():
     rng = np.random.default_rng(1)
     table, effects = rng.normal(size=(5, 9, 3)), rng.normal(size=(4, 2, 3))
@@ -97,3 +80,83 @@ def test_equally_many_of_each_kind_are_asked_even_of_a_rare_one():
     labels = np.array([0] * 50 + [1] + [3] * 9)
     chosen = _some_of_each(labels, 24, np.random.default_rng(0))
     assert np.bincount(labels[chosen]).tolist() == [8, 8, 0, 8]
+
+
+# Co-clustering
+
+
+def planted(rng, noise=0.05):
+    rows, columns = rng.integers(4, size=120), rng.integers(2, size=30)
+    blocks = rng.normal(size=(4, 2, 3))
+    return blocks[rows][:, columns] + noise * rng.normal(size=(120, 30, 3)), rows, columns
+
+
+def same_partition(first, second):
+    pairs = set(zip(first.tolist(), second.tolist(), strict=True))
+    return len(pairs) == len(set(first.tolist())) == len(set(second.tolist()))
+
+
+def test_planted_blocks_are_found_and_more_kinds_than_points_survived():
+    rng = np.random.default_rng(0)
+    table, rows, columns = planted(rng)
+    found = cocluster(table, 4, 2, rng)
+    assert same_partition(found.rows, rows)
+    assert same_partition(found.columns, columns)
+    found = cocluster(np.zeros((3, 2, 1)), 8, 4, rng)
+    assert found.error == 0
+
+
+def test_the_error_is_the_distance_to_block_means():
+    rng = np.random.default_rng(1)
+    table, _, _ = planted(rng, noise=0.5)
+    found = cocluster(table, 3, 2, rng)
+    total = 0.0
+    for r in range(3):
+        for c in range(2):
+            block = table[found.rows == r][:, found.columns == c].reshape(-1, 3)
+            total += ((block - block.mean(0)) ** 2).sum() if len(block) else 0
+    np.testing.assert_allclose(found.error, total / (120 * 30))
+
+
+def test_profiles_keep_the_distances_between_block_means():
+    rng = np.random.default_rng(2)
+    columns = np.repeat([0, 1], [10, 20])
+    table = rng.normal(size=(5, 2, 3))[:, columns]  # constant within each kind of column
+    described = profiles(table, columns, 2)
+    for a in range(5):
+        for b in range(5):
+            expected = ((table[a] - table[b]) ** 2).sum(1).mean()
+            np.testing.assert_allclose(((described[a] - described[b]) ** 2).sum(), expected, atol=1e-9)
+
+
+def test_nearest_agrees_with_every_distance_computed():
+    rng = np.random.default_rng(3)
+    points, centres = rng.normal(size=(40, 5)), rng.normal(size=(6, 5))
+    labels, squares = nearest(points, centres)
+    distances = ((points[:, None] - centres) ** 2).sum(2)
+    np.testing.assert_array_equal(labels, distances.argmin(1))
+    np.testing.assert_allclose(squares, distances.min(1), atol=1e-9)
+
+
+def test_gray_order_is_the_best_of_all_orders_of_four_and_no_swap_helps_among_more():
+    def cost(codes):
+        pairs = [
+            (a, b) for a, b in combinations(range(len(codes)), 2) if (codes[a] ^ codes[b]).bit_count() == 1
+        ]
+        return sum(((centres[a] - centres[b]) ** 2).sum() for a, b in pairs)
+
+    for seed, kinds in ((4, 4), (5, 4), (6, 16)):
+        rng = np.random.default_rng(seed)
+        centres = rng.normal(size=(kinds, 2))
+        centres[2] = centres[1]  # two kinds alike, as empty ones are
+        found = gray_order(centres, rng).tolist()
+        assert sorted(found) == list(range(kinds))
+        swaps = combinations(range(kinds), 2)
+        others = permutations(found) if kinds == 4 else (swapped(found, *pair) for pair in swaps)
+        assert cost(found) <= min(map(cost, others)) + 1e-9
+
+
+def swapped(order, a, b):
+    changed = [*order]
+    changed[a], changed[b] = order[b], order[a]
+    return changed

@@ -8,7 +8,6 @@ import pytest
 import torch
 from toy_learning import toy_data
 
-from neurosym.data.interactions import Interactions
 from neurosym.learning.recipes import code_probabilities, draw_alike, expected_error
 from neurosym.learning.training import train
 from neurosym.learning.training_config import (
@@ -20,7 +19,6 @@ from neurosym.learning.training_config import (
     TeacherConfig,
     TrainingConfig,
 )
-from neurosym.worlds.toy import make_world
 
 SMALL_FIT = TrainingConfig(
     epochs=20,
@@ -57,12 +55,6 @@ def test_code_probabilities_are_products_over_the_bits_and_sum_to_one(bits):
             for bit, value in zip(code, z, strict=True):
                 likely *= (1 + value) / 2 if bit else (1 - value) / 2
             assert found[row, number] == pytest.approx(likely, abs=1e-6)
-
-
-def test_code_of_a_saturated_embedding_is_certain():
-    found = code_probabilities(torch.tensor([[1.0, -1.0, 1.0]]))
-    assert found.argmax() == 0b101
-    assert found.max() == 1
 
 
 def test_expected_error_is_that_of_drawing_every_code_in_turn():
@@ -123,33 +115,6 @@ def test_decoder_expects_what_actions_do_that_nobody_chose_for_their_effect():
         mean, _ = trained.model.predict_from_codes(test.features, test.actions)
         errors[source] = np.mean((mean - test.effects) ** 2)
     assert errors["imagined"] < errors["data"]
-
-
-def planted_kinds(count):
-    """Perform lifts, pushes in four directions and nothing, each a little different every time."""
-    world, rng = make_world(), np.random.default_rng(0)
-    travels = np.array([[0, 0], [0.08, 0], [-0.08, 0], [0, 0.08], [0, -0.08], [0, 0]])
-    kinds = rng.integers(6, size=count)
-    waypoints = 0.003 * rng.normal(size=(count, 3, 4))
-    waypoints[:, 0, :2] -= travels[kinds] / 2
-    waypoints[:, 2, :2] += travels[kinds] / 2
-    waypoints[:, :, 3] += 0.9
-    waypoints[kinds == 0, 2, 3] -= 0.8
-    actions = waypoints.reshape(count, 12)
-    outcomes = [world.interact(world.sample_scene(rng, 1), action, 0) for action in actions]
-    box = {"action_low": world.action_box.low.tolist(), "action_high": world.action_box.high.tolist()}
-    return Interactions.from_outcomes(outcomes, actions, {"gripper_columns": [3, 7, 11], **box}), kinds
-
-
-def test_actions_that_lie_together_in_few_places_of_their_box_are_told_apart():
-    data, kinds = planted_kinds(1500)
-    trained = train(data, config=SMALL_FIT, model_config=ModelConfig(hidden=64), seed=0)
-    assert trained.report.share > 0.7
-    symbols = np.array(trained.model.action_symbols(data.actions))
-    meant = {symbol: np.bincount(kinds[symbols == symbol]) for symbol in set(symbols.tolist())}
-    of_the_code_s_kind = sum(counts.max() for counts in meant.values())
-    assert of_the_code_s_kind > 0.95 * len(data)
-    assert len({counts.argmax() for counts in meant.values()}) >= 5
 
 
 def direction_of_pushes(actions):

@@ -1,8 +1,12 @@
-"""States of pairs: what is told apart, what is borne, and how states are called."""
+"""States of pairs: what is told apart, what is borne, how they are called, and how likely they are."""
 
 import numpy as np
+import pytest
 
-from neurosym.learning.state_codes import learn_states, name_state
+from neurosym.data.interactions import Interactions
+from neurosym.learning.state_codes import ended_in, fit_chances, foreseen_by, learn_states, name_state
+from neurosym.learning.training_config import regime_named
+from neurosym.pair_operators import PairState, PairStates
 
 APART, ON, UNDER, IN = (
     (1.6, 0.0, 0.0, 0.0, 0.0),
@@ -25,21 +29,14 @@ def states():
     return learn_states(around(APART, 200, rng), ends, turned, 2, rng)
 
 
-def test_states_that_differ_have_codes_of_their_own():
+def test_states_that_differ_have_codes_and_what_only_actions_bring_about_is_borne():
     found = states()
+    assert found == states()
     codes = [found.of(centre).symbol for centre in (APART, ON, UNDER, IN)]
     assert len(set(codes)) == 4
     assert [one.symbol for one in found.states] == sorted(one.symbol for one in found.states)
-
-
-def test_what_only_actions_bring_about_is_borne():
-    found = states()
     assert [found.of(centre).bears for centre in (APART, ON, UNDER, IN)] == [False, True, False, True]
     assert sum(one.share for one in found.states) == 1
-
-
-def test_what_does_not_touch_rests_on_nothing():
-    found = states()
     above = (0.2, 1.4, 0.0, 0.0, 0.0)
     assert found.of((0.2, 1.4, 1.0, 0.0, 0.0)) == found.of(ON)
     assert found.of(above) != found.of(ON)
@@ -54,10 +51,6 @@ def test_what_sits_in_a_ring_is_in_one_state_whether_it_touches_it_or_not():
     assert found.of(touching[0].tolist()) == found.of(free[0].tolist()) != found.of(ON)
 
 
-def test_same_draws_give_the_same_states():
-    assert states() == states()
-
-
 def test_names_say_what_is_typical():
     names = [name_state(centre) for centre in (APART, ON, UNDER, IN)]
     assert names == ["apart-from", "rests-on", "lies-under", "sits-in"]
@@ -65,3 +58,64 @@ def test_names_say_what_is_typical():
     assert name_state((0.2, -0.5, 1.0, 0.0, 0.8)) == "props-up"
     assert name_state((1.0, 0.0, 1.0, 0.0, 0.0)) == "touches"
     assert name_state((1.2, 0.0, 0.0, 0.0, 0.0)) == "beside"
+
+
+# The chances of states are learned from what happened to pairs
+
+STATES = PairStates(
+    (
+        PairState("00", "apart-00", (1.5, 0.0, 0.0, 0.0, 0.0), 0.9, False),
+        PairState("01", "rests-on-01", (0.1, 1.0, 1.0, 0.0, 0.0), 0.0, True),
+        PairState("10", "sits-in-10", (0.1, 0.0, 1.0, 0.0, 0.0), 0.0, True),
+    ),
+    (0.5, 0.5, 0.5, 0.5, 0.5),
+)
+ENDS_ON, ENDS_IN, ENDS_APART, MISSED = (
+    (0.0, 0.1, 1.0, 1.0, 0.0, 1.0),
+    (0.1, 0.0, 0.0, 1.0, 0.0, 1.0),
+    (1.6, 0.0, 0.0, 0.0, 0.0, 1.0),
+    (0.0,) * 6,
+)
+
+
+def interactions(rows: list[tuple[float, ...]], features: np.ndarray) -> Interactions:
+    """Interactions that ended so, all by the same action."""
+    count, effects = len(rows), np.array(rows)
+    flags = np.zeros(count, dtype=bool)
+    return Interactions(
+        features, np.zeros((count, 12)), effects, effects, flags, flags, flags, np.zeros(count), {}
+    )
+
+
+def test_only_states_that_bear_and_were_carried_to_count():
+    rows = interactions([ENDS_ON, ENDS_IN, ENDS_APART, MISSED], np.zeros((4, 8)))
+    np.testing.assert_array_equal(ended_in(rows, STATES), [[1, 0], [0, 1], [0, 0], [0, 0]])
+
+
+@pytest.fixture(scope="module")
+def foresee():
+    rng = np.random.default_rng(0)
+    features = rng.uniform(size=(400, 8))
+    fits = features[:, 0] < features[:, 4]
+    ends = [ENDS_IN if fit else ENDS_ON if rng.random() < 0.5 else MISSED for fit in fits]
+    config = regime_named("quick").training
+    data = interactions(ends, features)
+    return foreseen_by(fit_chances(data, STATES, config, seed=0, progress=lambda *_: None))
+
+
+def test_what_decides_between_states_is_learned_from_the_pair_itself(foresee):
+    features = np.random.default_rng(1).uniform(size=(300, 8))
+    apart = features[:, 4] - features[:, 0]
+    foreseen = foresee(features, np.zeros((300, 12)))
+    on, inside = foreseen[:, 0], foreseen[:, 1]
+    assert inside[apart > 0.2].mean() > 0.8 > 0.2 > inside[apart < -0.2].mean()
+    assert on[apart > 0.2].mean() < 0.2
+    assert 0.3 < on[apart < -0.2].mean() < 0.7
+
+
+def test_chances_are_shares(foresee):
+    rng = np.random.default_rng(1)
+    found = foresee(rng.uniform(-3, 4, (200, 8)), rng.uniform(-1, 1, (200, 12)))
+    assert found.shape == (200, 2)
+    assert found.min() >= 0
+    assert found.max() <= 1

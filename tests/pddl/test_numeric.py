@@ -156,11 +156,9 @@ def test_both_encodings_offer_the_same_motions_whatever_the_cells(cell: float):
         sorted(re.findall(r"\((pushes|lifts|lowers) (\S+) ([^\s)]+)", problem_text(task, learned, name)))
         for name in ("strips", "numeric")
     )
-    motions = [(verb, thing, f"{motion}-{thing}") for verb, thing, motion in page if verb != "lowers"]
-    downs = [
-        ("lowers", f"{motion}-down-{thing}", f"{motion}-{thing}")
+    told = [
+        (verb, f"{motion}-down-{thing}" if verb == "lowers" else thing, f"{motion}-{thing}")
         for verb, thing, motion in page
-        if verb == "lowers"
     ]
-    assert numeric == sorted(motions + downs)
-    assert len(numeric) == len(learned.live) + len(downs)
+    assert numeric == sorted(told)
+    assert len(numeric) == len(learned.live) + sum(verb == "lowers" for verb, *_ in page)

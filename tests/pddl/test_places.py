@@ -2,6 +2,7 @@
 
 import math
 import sys
+from itertools import product
 from pathlib import Path
 
 import msgspec
@@ -18,16 +19,13 @@ from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem_check import check_places, check_problem
 from neurosym.planners import PlanStatus, plan
-from neurosym.problems import Problem, SceneObject
+from neurosym.problems import Problem
 from neurosym.tasks.task import (
-    GOAL,
-    PARK,
     ROOM,
     SHARE,
     footprints_apart,
     goal_spots,
     occupants,
-    overlapping,
     parks_wanted,
     with_places,
 )
@@ -42,19 +40,6 @@ def solved(problem: Problem) -> tuple[PlanStep, ...]:
     result = plan(problem, grounding())
     assert result.status is PlanStatus.SOLVED, result.reason
     return result.steps
-
-
-def test_places_are_those_of_the_goals_and_free_ones_apart_from_everything():
-    problem = with_places(swap(), grounding())
-    names = list(problem.places)
-    assert names == [f"{GOAL}item-01", f"{GOAL}item-02", f"{PARK}01", f"{PARK}02"]
-    parks = np.array([problem.places[name] for name in names if name.startswith(PARK)])
-    taken = np.vstack([problem.scene().positions[:, :2], parks])
-    apart = footprints_apart(problem)[0, 0] + 0.04
-    for row, spot in enumerate(parks, start=len(problem.objects)):
-        others = np.delete(taken, row, axis=0)
-        assert not overlapping(spot, others, np.tile(apart, (len(others), 1))).any()
-    assert with_places(swap(), grounding()) == problem == with_places(problem, grounding())
 
 
 @pytest.mark.parametrize(
@@ -79,18 +64,6 @@ def test_plans_come_true_in_the_world_and_again_from_the_record(problem, names, 
     again = rerun(world, problem, learned, run)
     assert compare_runs(run, again).course == "same bytes"
     assert msgspec.json.decode(msgspec.json.encode(run), type=type(run)) == run
-
-
-def test_what_shows_as_another_category_by_now_is_aimed_at_by_what_was_learned():
-    """A tall block that lies on its side looks like a slab, which the operator of cubes is not for."""
-    aside = (math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5))
-    block = SceneObject("item-01", "00", (0.05, 0.05, 0.1, 0.0), (0.5, -0.2, 0.025), aside)
-    problem = Problem("lying", (block,), {"item-01": (0.8, 0.1, 0.025)}, 0.02)
-    table = grounding().operators
-    seen = tuple(replace(one, objects=(one.feature_means,)) for one in table.categories)
-    learned = replace(grounding(), operators=replace(table, categories=seen))
-    run = execute(toy_domain.WORLD, problem, learned, [PlanStep(NAME, "item-01", place="goal-item-01")])
-    assert [record.happened for record in run.steps] in (["missed"], ["carried"])
 
 
 def test_what_fails_is_not_done_again_the_same_way():
@@ -134,23 +107,19 @@ def test_steps_to_nowhere_are_refused_in_a_plan_and_before_anything_moves(words,
     assert not done
 
 
-def with_own_places(**places: tuple[float, float]) -> Problem:
-    """The problem of two cubes, with places that somebody wrote."""
-    named = {name.replace("_", "-"): spot for name, spot in places.items()}
-    return replace(swap(), places=named)
+OWN = {"left": (0.8, 0.1), "right": (0.5, -0.1)}
 
 
 def test_own_places_are_planned_with_as_they_are_written(monkeypatch):
-    problem = with_own_places(left=(0.8, 0.1), right=(0.5, -0.1), park_aside=(0.7, 0.25))
+    problem = replace(swap(), places=OWN | {"park-aside": (0.7, 0.25)})
     check_places(problem, grounding())
     places = [step.place for step in plan(problem, grounding()).steps]
     assert (places[0], {*places[1:]}) == ("park-aside", {"right", "left"})
     with pytest.raises(InvalidValue, match="nothing in this domain carries objects to places; leave out"):
         check_places(problem, replace(grounding(), places=None))
-    few = with_own_places(left=(0.8, 0.1), right=(0.5, -0.1))
+    few = replace(swap(), places=OWN)
     for most, said in ((1, "among more than 1 objects, none is led over cells"), (2, "without: ")):
         monkeypatch.setattr(MODULE, "MOST_LED", most)
-        monkeypatch.setattr("neurosym.planners.joined_plans.MOST_LED", most)
         result = plan(few, grounding())
         assert result.status is PlanStatus.NOT_FOUND
         assert said in result.reason
@@ -161,21 +130,21 @@ def test_own_places_are_planned_with_as_they_are_written(monkeypatch):
     [
         ({"shelf": (2.0, 0.0)}, r"place shelf lies at x = 2, y = 0 m, off the table; valid: x 0\.\d+ to"),
         *(
-            ({name: (0.6, 0.0)}, f"No place can be called {name.replace('_', '-')}")
-            for name in ("item_01", "start_item_01", "nowhere", "place", "take", "move_x", "cube")
+            ({name: (0.6, 0.0)}, f"No place can be called {name}")
+            for name in ("item-01", "start-item-01", "nowhere", "place", "take", "move-x", "cube")
         ),
-        ({"goal_item_01": (0.4, 0.2)}, r"goal-item-01 lies at \(0.4, 0.2\) m, and the goal of item-01 at"),
+        ({"goal-item-01": (0.4, 0.2)}, r"goal-item-01 lies at \(0.4, 0.2\) m, and the goal of item-01 at"),
         ({"Shelf": (0.6, 0.0)}, "'Shelf' is not a legal name"),
         (
-            {"park_a": (0.6, 0.0), "park_b": (0.62, 0.01)},
+            {"park-a": (0.6, 0.0), "park-b": (0.62, 0.01)},
             "park-a and park-b are too near for item-01 and item-02; valid: at least 0.050 m apart in x",
         ),
-        ({"left": (0.8, 0.1), "park_a": (0.84, 0.1)}, "left and park-a are too near for item-01 and item-02"),
+        ({"left": (0.8, 0.1), "park-a": (0.84, 0.1)}, "left and park-a are too near for item-01 and item-02"),
     ],
 )
 def test_own_places_that_cannot_be_are_refused_in_one_sentence(places, said):
     with pytest.raises(InvalidValue, match=said):
-        check_problem(with_own_places(**places), grounding(), None)
+        check_problem(replace(swap(), places=places), grounding(), None)
 
 
 def test_goal_under_what_nothing_moves_or_without_room_is_a_result_with_its_reason():
@@ -214,16 +183,13 @@ def test_goals_that_nearly_touch_make_room_for_the_hand_as_far_as_they_allow():
     spots = goal_spots(tight, TABLE, NAMES)
     beside = [math.dist(spots[name], tight.goals[name][:2]) for name in NAMES]
     assert beside == pytest.approx([SHARE * 0.01] * 2, abs=1e-4)
-
-
-def test_what_stands_at_its_goal_stays_and_the_other_makes_room():
-    problem = side_by_side(0.01)
-    stands = replace(problem.objects[0], position=(0.7, 0.01, 0.025))
-    spots = goal_spots(replace(problem, objects=(stands, problem.objects[1])), TABLE, ("item-02",))
+    near = side_by_side(0.01)  # what stands at its goal stays, and the other makes room
+    stands = replace(near.objects[0], position=(0.7, 0.01, 0.025))
+    spots = goal_spots(replace(near, objects=(stands, near.objects[1])), TABLE, ("item-02",))
     assert spots["item-02"] == pytest.approx((0.7, EDGE + 0.01 + SHARE * 0.05), abs=1e-4)
 
 
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", range(4))
 def test_every_spot_is_in_its_goal_and_on_the_table(seed):
     rng = np.random.default_rng(seed)
     low, high = np.array([TABLE.x, TABLE.y]).T
@@ -252,6 +218,7 @@ def test_objects_wait_on_goals_of_others_only_where_there_are_no_parks():
     """The ring: three cubes, each to go where the next one stands, and the goal of a fourth to wait at."""
     problem = with_places(swap(), grounding())
     may, names = occupants(problem, problem.object_names), problem.object_names
+    assert with_places(swap(), grounding()) == problem == with_places(problem, grounding())
     assert may == {f"goal-{name}": (name,) for name in names} | {f"park-0{n}": names for n in (1, 2)}
     spots = [(0.5, -0.2), (0.5, 0.0), (0.5, 0.2), (0.8, 0.2)]
     goals = {f"item-{n + 1:02d}": (*spots[(n + 1) % 3], 0.025) for n in range(3)}
@@ -265,7 +232,7 @@ def test_objects_wait_on_goals_of_others_only_where_there_are_no_parks():
     assert validate(result.steps, ring, grounding()).valid
 
 
-@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("seed", range(4))
 def test_no_two_that_may_stand_at_places_stand_in_each_other(seed):
     rng = np.random.default_rng(seed)
     cubes = tuple(
@@ -281,12 +248,6 @@ def test_no_two_that_may_stand_at_places_stand_in_each_other(seed):
     for here, mine in may.items():
         for there, its in may.items():
             away = np.abs(np.subtract(problem.place_named(here), problem.place_named(there)))
-            clash = [
-                (one, other)
-                for one in mine
-                for other in its
-                if here != there
-                and one != other
-                and np.all(away < apart[names.index(one), names.index(other)])
-            ]
-            assert all(f"goal-{one}" == here and f"goal-{other}" == there for one, other in clash)
+            for one, other in product(mine, its) if here != there else ():
+                if one != other and np.all(away < apart[names.index(one), names.index(other)]):
+                    assert (f"goal-{one}", f"goal-{other}") == (here, there)

@@ -104,11 +104,8 @@ def test_plans_of_earlier_versions_are_read_for_their_steps_alone(tmp_path: Path
     built += f"(leave-rests-on-001 item-03 item-02 none one)\n({PUT_ON}-laden item-03 item-04 from-object)\n"
     built += "(carry-to-01-cube item-03 park-01 from-object)"
     steps = parse_plan(built, tmp_path, toy_relations.grounding(), toy_relations.tower())
-    assert [(one.operator, one.place) for one in steps] == [
-        (PUT_ON, "item-02"),
-        (PUT_ON, "item-04"),
-        ("carry-to-01-cube", "park-01"),
-    ]
+    put = [(PUT_ON, "item-02"), (PUT_ON, "item-04")]
+    assert [(one.operator, one.place) for one in steps] == [*put, ("carry-to-01-cube", "park-01")]
 
 
 def test_plan_without_steps_is_one_if_nothing_is_said_or_that_there_are_none():
@@ -121,21 +118,16 @@ def test_plan_without_steps_is_one_if_nothing_is_said_or_that_there_are_none():
 def test_no_line_is_passed_over_that_names_an_operator_or_an_object():
     log = "Solution found!\n{}\npull-010-tray item-02 (1)\nPlan length: 1 step(s).\n"
     assert read(log.format("Looking at pulls")) == (PULL,)
-    assert "'then push_away_001_block it' is not of the form of a step" in refusal(
-        log.format("then push_away_001_block it")
-    )
-    assert "'and item_02' is not of the form" in refusal(log.format("and item_02"))
+    for line in ("then push_away_001_block it", "and item_02"):
+        assert f"{line!r} is not of the form of a step" in refusal(log.format(line))
 
 
 def test_of_plans_that_get_better_the_last_is_read_and_others_are_not_joined():
     one, other = "(push-away-001-block item-01)\n", "(pull-010-tray item-02)\n"
     assert read(f"; cost = 9\n{one}; better plan 2\n; cost = 3\n{other}") == (PULL,)
     assert read(f"Solution found!\n{one}Plan length: 1\nSolution found!\n{other}Plan length: 1\n") == (PULL,)
-    assert "line 4: '; cost = 3' is said of a second plan" in refusal(f"{one}; cost = 9\n{other}; cost = 3\n")
-    assert "is said, and 1 step can be read" in refusal(f"Solution found!\n{one}Plan length: 2 step(s).\n")
-    assert "2 blocks between lines of ```" in refusal(f"```\n{one}```\n```\n{other}```\n")
-    assert "stands before the line that a plan begins after" in refusal(f"{one}Solution found!\n{other}")
-    assert "stands outside the block" in refusal(f"{one}```\n{other}```\n")
+    assert read(f"{one}Solution found!\nPlan length: 1\n") == (PUSH,), "nothing better came after it"
+    assert read(f"Here it is:\n```\n{one}```\nand then\n```\n{other}```\n") == (PUSH, PULL)
 
 
 @pytest.mark.parametrize(
@@ -157,7 +149,9 @@ def test_little_is_quoted_of_a_long_line_and_it_is_refused_at_once(line: str):
     assert len(said) < 700
 
 
-def test_file_that_is_missing_no_text_or_far_too_large_is_refused_unread(tmp_path: Path):
+def test_file_with_a_byte_order_mark_is_read_and_one_that_is_no_text_or_far_too_large_is_not(tmp_path: Path):
+    (tmp_path / "windows.plan").write_text("(pull-010-tray item-02)\r\n", encoding="utf-8-sig")
+    assert read_plan(tmp_path / "windows.plan", grounding(), problem()) == (PULL,)
     (tmp_path / "image.plan").write_bytes(b"\xff\xfe\x00")
     with (tmp_path / "huge.plan").open("wb") as file:
         file.truncate(200 * 2**20)
@@ -165,11 +159,6 @@ def test_file_that_is_missing_no_text_or_far_too_large_is_refused_unread(tmp_pat
     for name, said in (("missing", "missing.plan"), ("image", "image.plan"), ("huge", large)):
         with pytest.raises(InvalidFile, match=said):
             read_plan(tmp_path / f"{name}.plan", grounding(), problem())
-
-
-def test_plan_with_a_byte_order_mark_is_read(tmp_path: Path):
-    (tmp_path / "windows.plan").write_text("(pull-010-tray item-02)\r\n", encoding="utf-8-sig")
-    assert read_plan(tmp_path / "windows.plan", grounding(), problem()) == (PULL,)
 
 
 SHIPPED = (
@@ -199,28 +188,12 @@ def read_shipped(text: str, domain: str, plan: str) -> tuple[PlanStep, ...]:
     return parse_plan(text, Path("some.plan"), *shipped(domain, plan)[1:])
 
 
-def by_hand(actions: Words) -> list[tuple[str, ...]]:
-    """Fold ground actions into steps by their names alone, a few lines instead of what is tested."""
-    steps = []
-    for name, thing, *words in actions:
-        if name in ("push", "lift", "put-down"):
-            steps.append((thing, words[0].removeprefix("m-"), ""))
-        elif name == "put-at":
-            steps.append((thing, "carry", words[0]))
-        elif name in ("put", "put-loaded"):
-            steps.append((thing, "put", words[1]))
-    return steps
-
-
-def in_short(steps: tuple[PlanStep, ...], grounding: Grounding) -> list[tuple[str, ...]]:
-    """Say of steps what `by_hand` tells."""
-
-    def word(step: PlanStep) -> str:
-        if grounding.relation_named(step.operator):
-            return "put"
-        return "carry" if step.place else grounding.operator_named(step.base).label
-
-    return [(step.object, word(step), step.place) for step in steps]
+def by_hand(actions: Words) -> list[tuple[str, str]]:
+    """Fold ground actions into steps by their names alone: the object of each, and where it goes."""
+    at = {"push": None, "lift": None, "put-down": None, "put-at": 2, "put": 3, "put-loaded": 3}
+    return [
+        (words[1], words[place] if (place := at[words[0]]) else "") for words in actions if words[0] in at
+    ]
 
 
 @pytest.mark.parametrize("form", FORMS, ids=lambda form: form.name)
@@ -228,40 +201,36 @@ def test_a_plan_gives_the_same_steps_in_every_form(form: PlanForm):
     assert f"| {form.name} |" in (DOCS / "other-plans.md").read_text()
     for domain, plan in SHIPPED:
         text = shipped(domain, plan)[0]
-        assert (
-            read_shipped(form.write(actions_of(text)), domain, plan) == read_shipped(text, domain, plan) != ()
-        )
+        written = form.write(actions_of(text))
+        assert read_shipped(written, domain, plan) == read_shipped(text, domain, plan) != ()
 
 
 def edited(actions: Words, rng: np.random.Generator, words: list[str]) -> Words:
     """Drop, double or swap actions, or change a word of one."""
     actions = [[*action] for action in actions]
     at, other = (int(number) for number in rng.integers(len(actions), size=2))
-    match rng.integers(4):
-        case 0:
-            del actions[at]
-        case 1:
-            actions.insert(other, actions[at])
-        case 2:
-            actions[at], actions[other] = actions[other], actions[at]
-        case 3:
-            actions[at] = [*actions[at]]
-            actions[at][int(rng.integers(len(actions[at])))] = str(rng.choice(words))
+    kind = rng.integers(4)
+    if kind == 0:
+        del actions[at]
+    elif kind == 1:
+        actions.insert(other, actions[at])
+    elif kind == 2:
+        actions[at], actions[other] = actions[other], actions[at]
+    else:
+        actions[at][int(rng.integers(len(actions[at])))] = str(rng.choice(words))
     return actions
 
 
 @pytest.mark.parametrize(("domain", "plan"), SHIPPED)
 def test_an_edited_plan_is_refused_or_gives_the_steps_that_it_says(domain: str, plan: str):
-    text, grounding, _ = shipped(domain, plan)
-    actions, rng = actions_of(text), np.random.default_rng(41)
+    actions, rng, refused = actions_of(shipped(domain, plan)[0]), np.random.default_rng(41), 0
     words = [*sorted({word for action in actions for word in action}), "x999", "item-77", "goal-item-01"]
-    refused = 0
-    for _ in range(60):
+    for _ in range(40):
         some = edited(actions, rng, words)
         try:
             steps = read_shipped(FORMS[0].write(some), domain, plan)
         except InvalidPlan:
             refused += 1
         else:
-            assert in_short(steps, grounding) == by_hand(some)
-    assert refused > 30
+            assert [(step.object, step.place) for step in steps] == by_hand(some)
+    assert refused > 20

@@ -4,7 +4,6 @@ So it is with SAS+, and with what a plan touches of a page. Run this file as a p
 files anew.
 """
 
-import inspect
 import re
 from pathlib import Path
 
@@ -12,30 +11,33 @@ import numpy as np
 import pytest
 import rehearsed
 import tables
+import toy_domain
 import toy_places
 import toy_relations
 from independent.ground_pddl import judge
 from msgspec.structs import replace
 from places import GOLDEN, ROOT
-from tables import grounding, item, problem, total_cost
+from tables import BOUNDS, grounding, item, mode, problem, table, total_cost
 from toy_relations import LIE, PUT_IN, PUT_ON, REST, relearned
 from validators import unified_planning_accepts
 
 from neurosym.choices import DOMAINS
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding
+from neurosym.operators import Operator
 from neurosym.pddl import compile_domain, domain_text, problem_text
-from neurosym.pddl.compiler import excerpt_for, ground_plan, parameters_of, tree_of
+from neurosym.pddl.compiler import excerpt_for, ground_plan, parameters_of, with_every_outcome
 from neurosym.pddl.plan_reading import parse_plan, read_answer
 from neurosym.pddl.sas import sas_text
-from neurosym.pddl.strips import PUT_LOADED, WORDS, page
+from neurosym.pddl.strips import WORDS, page
 from neurosym.pddl.strips_plan import action_for, write
 from neurosym.pddl.strips_problem import StripsProblem
-from neurosym.pddl.syntax import ENCODINGS, FORMER, EncodingName
+from neurosym.pddl.syntax import ENCODINGS, EncodingName
 from neurosym.planners import PlanStatus, plan
+from neurosym.planners.bfs import branching_of
 from neurosym.planners.external import PORTFOLIO, Search, plan_fast_downward
 from neurosym.problems import Problem
-from neurosym.tasks.options import puts_of
+from neurosym.tasks.options import cost, puts_of
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep
 
@@ -63,6 +65,7 @@ def texts() -> dict[str, str]:
         "errand.numeric.pddl": problem_text(task, learned, "numeric"),
         "domain-places.pddl": domain_text(KINDS["both"][0]),
         "mixed.pddl": problem_text(KINDS["both"][1], KINDS["both"][0]),
+        "toy.pddl": domain_text(toy_domain.grounding()),
         "domain-relations.pddl": domain_text(KINDS["sorting"][0]),
         "sorting.pddl": problem_text(KINDS["sorting"][1], KINDS["sorting"][0]),
     }
@@ -99,7 +102,7 @@ def test_everything_is_positive_strips_in_which_every_word_is_declared(learned: 
     assert not re.search(r"\b(forall|exists|when|or|imply|either)\b", code)
     assert "(not " not in "".join(line for line in code.splitlines() if ":precondition" in line)
     words = {name for name, _ in (*domain.types, *domain.constants)} | {one.name for one in domain.actions}
-    assert words <= {*WORDS, *(one.name for one in learned.operators.categories)}
+    assert words <= {*WORDS.split(), *(one.name for one in learned.operators.categories)}
     printed, kinds = StripsProblem(understand(task, learned)).data(), dict(domain.types)
     typed = dict((*domain.constants, *printed.objects))
     assert len(typed) == len(domain.constants) + len(printed.objects), "names are declared once"
@@ -123,29 +126,13 @@ def test_plan_of_fast_downward_is_valid_and_so_is_ours_of_the_same_steps(
     steps = parse_plan(answer.text, tmp_path / "plan", learned, task)
     again = ground_plan(steps, task, learned)
     assert sorted(again.lines) == sorted(re.findall(r"^\(.*\)$", answer.text, re.MULTILINE))
-    assert unified_planning_accepts(domain, file, again.text)
+    if learned.places:  # the judge is enough for cells without places, which are slow to read
+        assert unified_planning_accepts(domain, file, again.text)
     assert again.missing(file.read_text()) == ()
     for row, line in enumerate(again.lines):
         if not line.startswith("(reach-"):
             fewer = "".join(f"{other}\n" for at, other in enumerate(again.lines) if at != row)
             assert judge(domain.read_text(), file.read_text(), fewer) != "", line
-
-
-def test_a_table_without_live_operators_still_makes_a_domain():
-    bare = replace(tables.table(), operators=())
-    learned = compile_domain(bare, name="bare", table_bounds=tables.BOUNDS, lift_height=0.2)
-    assert "(:action" not in domain_text(learned)
-    text = problem_text(tables.problem(), learned)
-    assert "(:goal (and (done item-01) (done item-02)))" in text
-
-
-def test_unknown_encodings_are_refused_and_former_ones_with_what_replaced_them():
-    """Without the check of types that tests have."""
-    with pytest.raises(UnknownChoice, match="valid: numeric, strips"):
-        inspect.unwrap(domain_text)(tables.grounding(), "numbers")
-    for encoding in FORMER:
-        with pytest.raises(InvalidValue, match=f"encoding {encoding} is gone: one page, 'strips'"):
-            inspect.unwrap(domain_text)(tables.grounding(), encoding)
 
 
 def test_one_motion_is_one_symbol_whatever_it_does_to_which_category():
@@ -170,9 +157,9 @@ def test_what_was_not_learned_or_fails_is_not_on_the_page():
     )
     assert led == {"push", "lift", "put-down", "move-x", "move-y", "reach-cell", "reach-lifted"}
     assert carrying == led | {"take", "put-at", "note-clear", "reach-place", "leave"}
-    assert relating == {"take", "put-at", "note-clear", "reach-place", "take-off", "put", PUT_LOADED}
+    assert relating == {"take", "put-at", "note-clear", "reach-place", "take-off", "put", "put-loaded"}
     failing = relearned(PUT_IN, relearned(PUT_ON, laden=0), laden=0)  # with a third object on the target
-    assert PUT_LOADED not in {one.name for one in page(failing).actions}
+    assert "put-loaded" not in {one.name for one in page(failing).actions}
     for name in ("take", "take-off"):
         assert ("bears", "?o", "n0") in page(failing).action(name).needs
         assert ("bears", "?o", "n0") not in page(toy_relations.grounding()).action(name).needs
@@ -206,7 +193,7 @@ SHIPPED = Path("domains/tabletop")
 
 @pytest.mark.parametrize(
     ("name", "search"),
-    [("task-01", "astar(blind())"), ("task-03", "astar(lmcut())"), ("task-05", "astar(lmcut())")],
+    [("task-01", "astar(blind())"), ("task-03", "astar(lmcut())")],
 )
 def test_cheapest_plan_is_one_of_the_page_and_as_cheap_as_after_translation(
     name: str, search: str, tmp_path: Path
@@ -261,63 +248,91 @@ def test_objects_solved_at_once_cost_as_much_as_after_translation_and_impossible
     assert "item-02" not in sas_text(fewer, grounding())
 
 
-CELLS = "tabletop/plans/task-07.fast-downward.plan"
-PLACES = "places/plans/swap-2-06.fast-downward.plan"
-RELATIONS = "towers/plans/tower-4-03.fast-downward.plan"
+PLANS = (
+    "tabletop/plans/task-07.fast-downward.plan",
+    "places/plans/swap-2-06.fast-downward.plan",
+    "towers/plans/tower-4-03.fast-downward.plan",
+)
 
 
-def case(plan: str) -> tuple[str, str, list[tuple[str, ...]]]:
-    file = ROOT / "domains" / plan
-    folder, problem = file.parent.parent, file.name.split(".")[0]
-    actions = [tuple(str(word) for word in tree_of(line)) for line in file.read_text().splitlines()]
-    texts = [(folder / name).read_text() for name in ("domain.pddl", f"problems/{problem}.pddl")]
-    return texts[0], texts[1], actions
-
-
-def spoilt(actions: list[tuple[str, ...]], rng: np.random.Generator) -> list[tuple[str, ...]]:
-    """Drop, repeat, exchange or alter one of the actions."""
-    changed, at, other = list(actions), *rng.integers(len(actions), size=2)
-    kind = rng.integers(4)
-    if kind == 0:
-        del changed[at]
-    elif kind == 1:
-        changed.insert(other, changed[at])
-    elif kind == 2:
-        changed[at], changed[other] = changed[other], changed[at]
-    else:
-        word = rng.choice([word for action in actions for word in action[1:]])
-        changed[at] = (*changed[at][:-1], str(word))
-    return changed
-
-
-def text_of(actions: list[tuple[str, ...]]) -> str:
-    return "".join(f"({' '.join(action)})\n" for action in actions)
-
-
-@pytest.mark.parametrize("plan", [CELLS, PLACES, RELATIONS])
+@pytest.mark.parametrize("plan", PLANS)
 def test_judge_says_of_the_excerpt_what_it_says_of_the_whole_and_no_more_is_in_it(plan: str):
-    domain, problem, actions = case(plan)
+    file = ROOT / "domains" / plan
+    folder, name = file.parent.parent, file.name.split(".")[0]
+    domain, problem = ((folder / text).read_text() for text in ("domain.pddl", f"problems/{name}.pddl"))
+    actions = [tuple(words.split()) for words in re.findall(r"^\((.*)\)", file.read_text(), re.MULTILINE)]
     rng, verdicts = np.random.default_rng(0), []
-    for changed in [actions, *(spoilt(actions, rng) for _ in range(9))]:
-        part = excerpt_for(domain, problem, changed)
-        said = judge(domain, problem, text_of(changed))
-        assert judge(part.domain, part.problem, text_of(changed)) == said
-        verdicts.append(said)
+    for number in range(8):
+        changed, at = list(actions), int(rng.integers(len(actions)))
+        if number % 3 == 1:
+            del changed[at]
+        elif number % 3 == 2:
+            changed[at] = (
+                *changed[at][:-1],
+                str(rng.choice([one for words in actions for one in words[1:]])),
+            )
+        elif number:
+            changed.insert(0, changed.pop(at))
+        text = "".join(f"({' '.join(action)})\n" for action in changed)
+        verdicts.append(judge(domain, problem, text))
+        assert judge(*excerpt_for(domain, problem, changed), text) == verdicts[-1]
     assert verdicts[0] == ""
-    assert sum(map(bool, verdicts)) > 4
-    part = excerpt_for(domain, problem, actions)
-    assert parameters_of(part.domain).keys() == {name for name, *_ in actions}
-    assert parameters_of(part.domain).items() <= parameters_of(domain).items()
-    spoken = set(re.findall(r"\(([a-z-]+)", part.domain.partition("(:action ")[2]))
-    declared = next(one[1:] for one in tree_of(part.domain) if one[0] == ":predicates")
-    assert {head[0] for head in declared} <= spoken
-    assert len(part.problem) < len(problem)
+    assert sum(map(bool, verdicts)) > 3
+    part, less = excerpt_for(domain, problem, actions)
+    assert parameters_of(part).keys() == {name for name, *_ in actions}
+    assert parameters_of(part).items() <= parameters_of(domain).items()
+    assert len(less) < 0.7 * len(problem)
 
 
-@pytest.mark.parametrize("text", ["", "(define (domain x)", "(a))", "(a) (b)", "word"])
-def test_text_whose_parentheses_do_not_fit_is_refused(text: str):
-    with pytest.raises(InvalidValue, match="parentheses"):
-        tree_of(text)
+HELD = mode((0.012, -0.021, 0.203), kind="held", count=14, near=14, resting=(0.014, -0.023, 0.0))
+SLIPPED = mode((0.06, 0.0, 0.0), count=6, near=5)
+
+
+def of(*modes) -> list[Operator]:
+    operator = Operator("lift-010-block", "00", "010", 20, tuple(modes))
+    changed = tuple(operator if op.name == operator.name else op for op in table().operators)
+    expanded = with_every_outcome(replace(table(), operators=changed))
+    return [op for op in expanded.operators if (op.category, op.primitive) == ("00", "010")]
+
+
+def shares(*modes):
+    return tuple(replace(each, share=each.count / 20) for each in modes)
+
+
+def test_each_outcome_at_rest_or_held_is_an_operator_that_is_named_for_it_unless_it_is_too_rare():
+    likeliest, other = of(*shares(HELD, SLIPPED))
+    assert (likeliest.name, likeliest.promised) == ("lift-010-block", None)
+    assert (other.name, other.promised) == ("push-forward-010-block", "resting")
+    assert other.promise is not None
+    assert (other.promise.outcome, other.successes, other.trials) == ((0.06, 0.0, 0.0), 5, 20)
+    assert cost(other) > 3 * cost(likeliest)
+    for left_out in (replace(SLIPPED, count=1, near_mean=1), replace(SLIPPED, kind="toppled")):
+        assert len(of(*shares(HELD, left_out))) == 1
+
+
+def test_compiled_domain_has_every_outcome_as_an_action_and_as_a_choice():
+    changed = tuple(
+        replace(op, modes=shares(HELD, SLIPPED)) if op.name == "lift-010-block" else op
+        for op in table().operators
+    )
+    learned = compile_domain(
+        replace(table(), operators=changed), name="tabletop", table_bounds=BOUNDS, lift_height=0.2
+    )
+    problem = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.56, 0.0, 0.025)}, tolerance=0.01)
+    text = problem_text(problem, learned)
+    assert "(lifts item-01 m-010 dx2 dy-4 " in text
+    assert "(pushes item-01 m-010 dx12 dy0 " in text
+    steps = [PlanStep("push-forward-010-block", "item-01"), PlanStep("lift-010-block", "item-01")]
+    for encoding in ENCODINGS:
+        written = ground_plan(steps, problem, learned, encoding).text
+        assert parse_plan(written, Path("p"), learned, problem) == tuple(steps)
+    numbers = problem_text(problem, learned, "numeric")
+    assert len(set(re.findall(r"\(along-x (\S+)\)", numbers))) == numbers.count("(along-x ")
+    assert "push-forward-010-block" in branching_of(problem, learned).names[0]
+    found = plan(problem, learned)
+    assert found.status is PlanStatus.SOLVED
+    assert [step.operator for step in found.steps] == ["push-forward-010-block"]
+    assert plan(problem, grounding(), "bfs-operators").status is not PlanStatus.SOLVED
 
 
 if __name__ == "__main__":

@@ -113,12 +113,8 @@ def test_of_motions_that_do_the_same_the_cheapest_is_told_and_those_of_plans_bes
     """They differ by a cell of the domain, and not by one of the problem."""
     learned, (block, *_) = tables.grounding(0.005), tables.problem().objects
     table = learned.operators
-    twin = replace(
-        table.operators[0],
-        name="push-left-001-block",
-        primitive="001",
-        modes=(tables.mode((0.0021, 0.0782, 0.0), near=15),),
-    )
+    modes = (tables.mode((0.0021, 0.0782, 0.0), near=15),)
+    twin = replace(table.operators[0], name="push-left-001-block", primitive="001", modes=modes)
     others = tuple(one for one in table.operators if (one.primitive, one.category) != ("001", "00"))
     both = replace(learned, operators=replace(table, operators=(*others, twin)))
     task = Problem("p", (block,), {"item-01": (0.45, 0.18, 0.025)})
@@ -186,16 +182,14 @@ def test_what_rehearsals_showed_to_fail_is_not_asked_for_and_the_rest_at_its_pri
     asked = {atom[1:4]: atom[4] for atom in found if atom[0] == "fee"}
     on, lying = ways["item-02", "rests-on-item-01"], ways["item-02", "lies-in-item-04"]
     assert {words[1:] for words in asked if words[0] == on} == {("from-spot", "n0"), ("from-perch", "n0")}
-    assert {words[1:] for words in asked if words[0] == lying} == {
-        (origin, count) for origin in ("from-spot", "from-perch") for count in ("n0", "n1")
-    }
+    both = {(origin, count) for origin in ("from-spot", "from-perch") for count in ("n0", "n1")}
+    assert {words[1:] for words in asked if words[0] == lying} == both
     assert asked[lying, "from-spot", "n0"] == "cost6"
     assert asked[lying, "from-spot", "n1"] == "cost30", "8 of 10 went so with a third object"
     assert not any(atom[1] in ("item-04", "item-05") for atom in found if atom[0].startswith("can-put"))
-    perches = {
-        name for name, kind in printed(toy_relations.tower(), learned).data().objects if kind == "perch"
-    }
-    assert perches == {f"rests-on-{name}" for name in toy_relations.tower().object_names}, "there is no tray"
+    tower = printed(toy_relations.tower(), learned)
+    perches = {name for name, kind in tower.data().objects if kind == "perch"}
+    assert perches == {f"rests-on-{name}" for name in tower.task.names}, "there is no tray"
 
 
 def test_what_fails_from_another_object_or_with_a_load_has_no_way():

@@ -13,8 +13,7 @@ from toy_relations import REST, relations, scene, sorting, tower, tower_at_place
 from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners import bfs as bfs_module
-from neurosym.planners.bfs import Branching, branching_of, plan_bfs, predicted_branching
-from neurosym.planners.registry import _plan_breadth_first as plan_relational_bfs
+from neurosym.planners.bfs import Branching, branching_of, plan_bfs, plan_related, predicted_branching
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.supports import with_pairs
 from neurosym.tasks.transition import PlanStep, validate
@@ -175,12 +174,12 @@ def test_what_bears_something_is_put_only_on_what_stands_at_a_place():
 
 
 def test_search_ends_where_so_many_steps_were_looked_at_or_with_all_sequences():
-    result = plan_relational_bfs(with_pairs(tower(), relations()), toy_relations.grounding(), most_steps=10)
+    result = plan_related(with_pairs(tower(), relations()), toy_relations.grounding(), most_steps=10)
     assert (result.status, result.depth) == (PlanStatus.NOT_FOUND, 0)
     assert result.reason == "10 steps were looked at, 0 deep"
     objects = scene(("cube", 0.5, -0.2), ("block", 0.5, 0.1), ("cube", 0.7, -0.1))
     goals = (("item-01", "item-02", REST), ("item-03", "item-02", REST))
     problem = with_pairs(Problem("both", objects, {}, relations=goals), relations())
-    result = plan_relational_bfs(problem, toy_relations.grounding())
+    result = plan_related(problem, toy_relations.grounding())
     assert result.status is PlanStatus.NOT_FOUND
     assert result.reason.startswith("no sequence of steps leads there")

@@ -13,7 +13,7 @@ import toy_domain
 from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
 from neurosym.pddl.sas import sas_text
-from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan, plan_nearest
+from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan
 from neurosym.planners.action_counts import plan_counting
 from neurosym.planners.external import PORTFOLIO, Search, plan_fast_downward
 from neurosym.planners.planner import Effort
@@ -41,7 +41,7 @@ def answers(planner: str) -> list[object]:
         Problem("p", blocks[:1], {"item-01": (0.35, 0.0, 0.025)}),
     )
     results = [plan(task, tables.grounding(), planner) for task in tasks]
-    results.append(plan_nearest(tasks[3], tables.grounding()))
+    results.append(plan_counting(tasks[3], tables.grounding(), goes_near=True))
     return [(result.status, result.steps, result.reason) for result in results]
 
 

@@ -7,7 +7,6 @@ import os
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 from functools import partial
 from pathlib import Path
@@ -20,13 +19,18 @@ from tables import grounding, item, problem
 from neurosym.errors import CannotStart, InvalidValue
 from neurosym.pddl import domain_text, problem_text
 from neurosym.planners import PLANNERS, PlannerAnswer, PlanResult, PlanStatus, external, pddl_planner, plan
-from neurosym.planners.external import Program, Search, plan_fast_downward, plan_program
-from neurosym.planners.keeper import MARK, end_processes, marked
-from neurosym.planners.pddl_search import _plan_together as plan_together
+from neurosym.planners.external import (
+    Finished,
+    Program,
+    Search,
+    plan_fast_downward,
+    plan_program,
+    run_limited,
+    scratch_folder,
+)
+from neurosym.planners.keeper import MARK, end_marked, marked
 from neurosym.planners.planner import PlannerMissing
-from neurosym.planners.planner_table import PROGRAMS
-from neurosym.planners.process import Finished, kept, run_limited
-from neurosym.planners.unified_planning import engine_program
+from neurosym.planners.registry import PROGRAMS
 from neurosym.problems import Problem
 from neurosym.tasks.transition import validate
 
@@ -36,7 +40,7 @@ TASK = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.571, -0.012, 0.
 @pytest.fixture
 def scratch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty folder that stands in for the system's folder of temporary files."""
-    with kept():  # so that the keeper, which lives on, is there before and does not name the folder
+    with scratch_folder():  # so that the keeper, which lives on, is there before and does not name the folder
         pass
     folder = tmp_path / "scratch"
     folder.mkdir()
@@ -100,7 +104,7 @@ def test_planner_that_never_ends_is_ended_with_all_its_children(
     scratch: Path, script: str, knows: bool, monkeypatch: pytest.MonkeyPatch
 ):
     if not knows:
-        monkeypatch.setattr("neurosym.planners.keeper.processes", list)
+        monkeypatch.setattr("neurosym.planners.keeper.marked", lambda _: [])
         script = SLEEP
     begin = time.perf_counter()
     found = solved_by(script, time_limit=1.0)
@@ -127,8 +131,8 @@ def test_what_is_killed_has_ended():
     started = {"env": {**os.environ, MARK: "slow"}, "stdout": subprocess.PIPE}
     with subprocess.Popen([sys.executable, "-c", code], **started) as process:
         assert process.stdout.read(8) == b"\n" * 8
-        end_processes(lambda: marked(f"{MARK}=slow"))
-        assert marked(f"{MARK}=slow") == set()
+        end_marked("slow")
+        assert marked("slow") == []
 
 
 def test_planner_that_is_not_here_and_encodings_it_does_not_take_are_refused_with_what_to_do():
@@ -138,12 +142,8 @@ def test_planner_that_is_not_here_and_encodings_it_does_not_take_are_refused_wit
         plan(TASK, grounding(), nobody)
     lacking = Program("Nobody", "neurosym", ("true",), needs=("no-such-command", "a shop"))
     assert lacking.missing() == "it needs no-such-command, which a shop brings"
-    for encoding, said in (
-        ("numeric", "'numeric'; valid: sas, strips"),
-        ("stepwise", "stepwise is gone: one page, 'strips'"),
-    ):
-        with pytest.raises(InvalidValue, match=f"encoding {said}"):
-            plan(TASK, grounding(), "fast-downward", encoding=encoding)
+    with pytest.raises(InvalidValue, match="encoding 'numeric'; valid: sas, strips"):
+        plan(TASK, grounding(), "fast-downward", encoding="numeric")
 
 
 @pytest.mark.parametrize("costs", [True, False])
@@ -161,7 +161,7 @@ def test_program_that_reads_no_prices_is_given_the_plain_page(task: Problem, cos
     assert all((("total-cost" in text), ("(cost " in text)) == (costs, costs) for text in seen)
 
 
-@pytest.mark.parametrize("name", sorted(p.name for p in PROGRAMS if not p.name.startswith("up-")))
+@pytest.mark.parametrize("name", sorted(planner.name for planner in PROGRAMS))
 def test_every_planner_that_is_here_finds_the_way(name: str):
     if PLANNERS[name].missing():
         pytest.skip("not installed")
@@ -176,7 +176,7 @@ def test_a_planner_gets_no_more_than_its_caller_may_have(tmp_path: Path):
     code = f"""if True:
         import resource, sys
         from pathlib import Path
-        from neurosym.planners.process import run_limited
+        from neurosym.planners.external import run_limited
         for kind, most in ((resource.RLIMIT_AS, 3 << 30), (resource.RLIMIT_FSIZE, 1 << 20)):
             resource.setrlimit(kind, (most, most))
         asked = "import resource as r; print(r.getrlimit(r.RLIMIT_AS), r.getrlimit(r.RLIMIT_FSIZE))"
@@ -186,53 +186,13 @@ def test_a_planner_gets_no_more_than_its_caller_may_have(tmp_path: Path):
     assert ended.stdout.strip() == f"{(3 << 30, 3 << 30)} {(1 << 20, 1 << 20)}"
 
 
-def test_results_come_in_the_order_of_the_tasks():
-    def waits(seconds: float) -> PlanResult:
-        time.sleep(seconds)
-        return PlanResult(PlanStatus.SOLVED, (), seconds)
-
-    found = plan_together([lambda s=s: waits(s) for s in (0.2, 0.0, 0.1)])
-    assert [one.seconds for one in found] == [0.2, 0.0, 0.1]
-
-
-def test_first_without_a_plan_ends_what_still_runs(tmp_path: Path):
-    ended: list[int | None] = []
-
-    def sleeps() -> PlanResult:
-        command = [sys.executable, "-c", "import time; time.sleep(60)"]
-        ended.append(run_limited(command, tmp_path, 60.0).code)
-        return PlanResult(PlanStatus.FAILED, (), 0.0)
-
-    def gives_up() -> PlanResult:
-        time.sleep(0.3)
-        return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, "no way")
-
-    begin = time.perf_counter()
-    found = plan_together([gives_up, sleeps, sleeps])
-    assert [one.reason for one in found] == ["no way"]
-    assert time.perf_counter() - begin < 20
-    assert set(ended) == {-9}
-
-
 def test_where_nothing_can_be_started_a_sentence_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     def refused(*_: object, **__: object) -> None:
         raise BlockingIOError(11, "Resource temporarily unavailable")
 
-    with monkeypatch.context() as patch:
-        patch.setattr(subprocess, "Popen", refused)
-        with pytest.raises(CannotStart, match="No planner can be started: Resource temporarily"):
-            run_limited(["true"], tmp_path, 1.0)
-
-    def no_thread(*_: object) -> None:
-        raise RuntimeError("can't start new thread")
-
-    monkeypatch.setattr(threading.Thread, "start", no_thread)
-    with pytest.raises(CannotStart, match="can't start new thread; allow more"):
-        plan_together([lambda: PlanResult(PlanStatus.SOLVED, (), 0.0)])
-
-
-plan_unified_planning = partial(plan_program, program=engine_program("fast-downward"))
-BOTH = [plan_fast_downward, plan_unified_planning]
+    monkeypatch.setattr(subprocess, "Popen", refused)
+    with pytest.raises(CannotStart, match="No planner can be started: Resource temporarily"):
+        run_limited(["true"], tmp_path, 1.0)
 
 
 def write(folder: Path, *, cell: float = 0.03, solvable: bool = True, domain: str = "") -> tuple[Path, Path]:
@@ -244,17 +204,14 @@ def write(folder: Path, *, cell: float = 0.03, solvable: bool = True, domain: st
     return folder / "domain.pddl", folder / "problem.pddl"
 
 
-@pytest.mark.parametrize("planner", BOTH)
-def test_plans_proofs_and_failures_are_results_and_nothing_is_left_behind(
-    tmp_path: Path, scratch: Path, planner
-):
+def test_plans_proofs_and_failures_are_results_and_nothing_is_left_behind(tmp_path: Path, scratch: Path):
     here = set(Path.cwd().iterdir())
-    found = planner(*write(tmp_path), time_limit=60.0)
+    found = plan_fast_downward(*write(tmp_path), time_limit=60.0)
     assert found.status is PlanStatus.SOLVED, found.reason
     assert "(lift item-01 m-010 " in found.text
-    proved = planner(*write(tmp_path, solvable=False), time_limit=60.0)
+    proved = plan_fast_downward(*write(tmp_path, solvable=False), time_limit=60.0)
     assert (proved.status, proved.text) == (PlanStatus.UNSOLVABLE, "")
-    broken = planner(*write(tmp_path, domain="(define (domain tabletop)"), time_limit=60.0)
+    broken = plan_fast_downward(*write(tmp_path, domain="(define (domain tabletop)"), time_limit=60.0)
     assert broken.status is PlanStatus.FAILED
     assert len(broken.reason) > 40
     assert list(scratch.iterdir()) == []
@@ -272,11 +229,10 @@ def test_unknown_search_fails_and_one_that_is_not_complete_proves_nothing(tmp_pa
     assert (answer.status, answer.text) == (PlanStatus.NOT_FOUND, "")
 
 
-@pytest.mark.parametrize(("planner", "limit"), [(plan_fast_downward, 0.15), (plan_unified_planning, 0.4)])
-def test_time_out_is_a_result_that_comes_in_time(tmp_path: Path, scratch: Path, planner, limit: float):
+def test_time_out_is_a_result_that_comes_in_time(tmp_path: Path, scratch: Path):
     begin = time.perf_counter()
-    answer: PlannerAnswer = planner(*write(tmp_path, cell=0.005), time_limit=limit)
+    answer: PlannerAnswer = plan_fast_downward(*write(tmp_path, cell=0.005), time_limit=0.15)
     assert answer.status is PlanStatus.TIMEOUT
-    assert time.perf_counter() - begin < limit + 1.0
+    assert time.perf_counter() - begin < 1.15
     assert alive(str(tmp_path)) == []
     assert list(scratch.iterdir()) == []

@@ -30,17 +30,6 @@ def test_put_down_stays_with_its_lift_and_a_held_object_comes_last():
     assert "mm from its goal" in checked.reason
 
 
-def test_object_that_cannot_get_past_another_is_named():
-    wall, free = item("wall", 0.5, 0.0832), item("item-02", 0.7, 0.0)
-    goals = {"item-01": (0.4942, 0.1664, 0.025), "item-02": (0.7713, -0.0124, 0.025)}
-    task = Problem("p", (item("item-01", 0.5, 0.0), wall, free), goals)
-    given = (LEFT, LEFT, PlanStep("push-away-001-block", "item-02"))
-    steps, checked = mend(given, task, grounding())
-    assert (steps, checked.valid) == (given, False)
-    assert checked.reason == "no order of the steps was found that brings item-01 past the others"
-    assert checked.concerned == ("item-01",)
-
-
 def of(name: str, *steps: PlanStep) -> tuple[PlanStep, ...]:
     return tuple(PlanStep(step.operator, name) for step in steps)
 

@@ -1,21 +1,17 @@
 """Problems go to unified-planning, its engines' plans come back, and its validator judges them."""
 
-import json
 import warnings
 
 import pytest
 import toy_domain
 import toy_places
-from places import DOCS
 
 import neurosym
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
 from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
-from neurosym.planners.planner_table import track_record
 from neurosym.planners.unified_planning import PddlVerdict, validate_pddl
 from neurosym.tasks.transition import PlanStep, validate
-from tools.benchmarks.planning.planner_matrix import record_of
 
 
 def solved(task):
@@ -89,15 +85,3 @@ def test_first_action_that_cannot_be_performed_is_named_or_the_goal_that_is_not_
 )
 def test_action_that_cannot_be_is_named(action: tuple[str, ...], reason: str):
     assert validate_pddl(DOMAIN, PROBLEM, [action]) == PddlVerdict(False, reason, 1)
-
-
-def test_record_in_the_package_is_that_of_the_results():
-    assert track_record() == record_of(json.loads((DOCS / "results/planners.json").read_text()))
-
-
-def test_what_was_not_given_to_a_planner_is_not_held_against_it():
-    solved, failed = {"status": "solved"}, {"status": "timeout"}
-    cells = {"lpg.numeric.task-01": failed, "lpg.strips.task-01": solved, "lpg.strips.toy-1": failed}
-    record = record_of({"problems": ["toy-1", "task-01"], "time_limit": 30.0, "cells": cells})
-    assert record.solved["lpg"] == {"numeric": 0, "strips": 1}
-    assert record.solved["fast-downward"] == {}

@@ -1,20 +1,13 @@
 """Judging and variety: what ends alike is sure; what is sure and unlike the others counts."""
 
 from dataclasses import replace
-from functools import cache, partial
 from itertools import product
 from math import pi, sqrt, tanh
 
 import numpy as np
 import pytest
-import torch
-from toy_learning import BRIEF, alike, search
+from toy_learning import Changed, alike, search
 
-from neurosym.data.origin import Dimensions
-from neurosym.learning.losses import Samples, reproducible
-from neurosym.learning.network import DirectModel
-from neurosym.learning.recipes import fit_direct
-from neurosym.learning.training_config import DirectConfig
 from neurosym.operators import Primitive
 from neurosym.primitives.audition import audition, shortlist
 from neurosym.primitives.reliability import (
@@ -28,10 +21,10 @@ from neurosym.primitives.reliability import (
     judge,
     observe,
     sureness,
-    worths,
+    worth_in_place,
 )
 from neurosym.world import Outcome, Scene
-from neurosym.worlds.toy import PUSH_LENGTH, ToyWorld, make_world
+from neurosym.worlds.toy import PUSH_LENGTH
 
 
 def ended(x, kind="resting", turn=0.0, **more):
@@ -103,23 +96,11 @@ def test_sure_of_a_pair_is_what_always_ends_alike_in_the_state(performances, sta
 
 PUSH = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.04, 0.0, 0.1)
 CARRY = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.08, 0.1, 0.0, 0.04, 0.0, 0.1)  # the same by way of a height
-HEIGHT = 0.08
 
 
-class Carrier(ToyWorld):
-    """A toy world in which an object that is pushed follows the second waypoint up on its way."""
-
-    def interact(self, scene, action, target, **options):  # noqa: D102
-        outcome = super().interact(scene, action, target, **options)
-        moved = bool(np.any(outcome.effect))
-        return replace(outcome, peak_height=float(action[6]) if moved else 0.0)
-
-
-class BlindCarrier(Carrier):
-    """The same, and nobody looks at heights."""
-
-    def interact(self, scene, action, target, **options):  # noqa: D102
-        return replace(super().interact(scene, action, target, **options), peak_height=0.0)
+def risen(action, outcome):
+    """Say that an object which is pushed follows the second waypoint up on its way."""
+    return replace(outcome, peak_height=float(action[6]) if np.any(outcome.effect) else 0.0)
 
 
 def distance(one, other):
@@ -166,11 +147,13 @@ def seen(*values, sureness=None):
 
 
 @pytest.mark.parametrize("count", [1, 2, 7])
-def test_worths_agree_with_a_naive_computation(count):
+def test_worth_agrees_with_a_naive_computation_whoever_is_in_a_place(count):
     rng = np.random.default_rng(count)
     effects = some_deeds(rng, 9, categories=3)
     chosen = [*rng.permutation(9)[:count].tolist(), 0, 0]  # the same twice, of which neither adds anything
-    np.testing.assert_allclose(worths(effects, chosen), naive_worths(effects, chosen), rtol=1e-9)
+    for place in range(len(chosen)):
+        naive = [total([*chosen[:place], one, *chosen[place + 1 :]], effects) for one in range(9)]
+        np.testing.assert_allclose(worth_in_place(chosen, place, range(9), effects), naive, rtol=1e-9)
 
 
 def test_something_else_is_preferred_to_doing_the_same_more_surely():
@@ -212,46 +195,14 @@ def test_best_set_is_nearly_always_the_best_of_all_and_no_single_exchange_makes_
     assert min(shares) > 0.9  # one exchange at a time can get stuck
 
 
-turned = pytest.mark.parametrize(("first", "other"), [(PUSH, CARRY), (CARRY, PUSH)])
+@pytest.mark.parametrize(("first", "other"), [(PUSH, CARRY), (CARRY, PUSH)])
+def test_audition_and_shortlist_tell_carrying_from_pushing_equally_far_by_the_height(first, other):
+    def outcomes(_, actions):
+        return np.column_stack([np.tile([0.0, PUSH_LENGTH, 0.0], (len(actions), 1)), actions[:, 6]])
 
-
-def rivals_of(first, other):
-    return Primitive("0", first, 0.0), Primitive("1", first, 0.0), Primitive("1", other, 0.0)
-
-
-@turned
-def test_audition_tells_carrying_from_pushing_equally_far_by_the_height(first, other):
-    for world, second in ((Carrier, other), (BlindCarrier, first)):
-        chosen = audition(search((), alike, partial(world, make_world().config)), rivals_of(first, other))
-        assert [one.action for one in chosen] == [first, second]
-
-
-@cache
-def a_network_that_saw_carrying():
-    """Fit a network to actions like `PUSH` and `CARRY`, whose second waypoint is anywhere up to `HEIGHT`."""
-    rng = np.random.default_rng(0)
-    features = torch.tensor(rng.uniform(size=(600, 4)), dtype=torch.float32)
-    actions = torch.tensor(np.tile(PUSH, (600, 1)), dtype=torch.float32)
-    actions[:, 6] = torch.tensor(rng.uniform(0, HEIGHT, size=600))
-    to_the_right = torch.arange(600) % 2 == 0
-    actions[to_the_right] *= torch.tensor([1, -1, 1, 1] * 3)
-    effects = torch.zeros(600, 3)
-    effects[:, 1] = torch.where(to_the_right, -PUSH_LENGTH, PUSH_LENGTH)
-    samples = Samples(features, actions, effects, actions[:, 6].clone(), None, None)
-    with reproducible(0) as generator:
-        network = DirectModel(Dimensions(), DirectConfig(hidden=32, dropout=0.0, peaks=True))
-        network.set_scale(samples.outcomes(peaks=True))
-        config = replace(BRIEF, teacher=replace(BRIEF.teacher, epochs=60, batch=60))
-        fit_direct(network, samples, config, generator, lambda *_: None)
-    return network.eval()
-
-
-@turned
-def test_shortlist_by_predicted_outcomes_prefers_what_differs(first, other):
-    network = a_network_that_saw_carrying()
-    features = np.random.default_rng(1).uniform(size=(50, 4))
-    for predict, apart in ((network.predict, 0.0), (network.predict_outcomes, HEIGHT)):
-        told = [predict(features, np.tile(action, (50, 1))).mean(0) for action in (first, other)]
-        assert np.linalg.norm(told[0] - told[1]) == pytest.approx(apart, rel=0.2, abs=LITTLE)
-    chosen = shortlist(rivals_of(first, other), network.predict_outcomes, features, alike, 1)
+    rivals = Primitive("0", first, 0.0), Primitive("1", first, 0.0), Primitive("1", other, 0.0)
+    chosen = shortlist(rivals, outcomes, np.zeros((50, 4)), alike, 1)
     assert [one.action for one in chosen] == [first, other]
+    for told, second in ((risen, other), (lambda _, outcome: outcome, first)):
+        chosen = audition(search((), alike, lambda told=told: Changed(told=told)), rivals)
+        assert [one.action for one in chosen] == [first, second]

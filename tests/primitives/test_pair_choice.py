@@ -10,9 +10,9 @@ from neurosym.primitives.pair_audition import choose_for_pairs, tabulate_pairs
 from neurosym.primitives.rehearsal import rehearse
 from neurosym.primitives.sampling import Repertoire
 from neurosym.worlds.aims import RelatedFactory
-from neurosym.worlds.toy_relations import WALL, make_world
+from neurosym.worlds.toy_relations import WALL, ToyRelations
 
-FACTORY = RelatedFactory(make_world)
+FACTORY = RelatedFactory(ToyRelations)
 TABLE = toy_relations.relations()
 STATES = PairStates(TABLE.states, TABLE.scales)
 CARRY = Primitive("01", toy_relations.CARRY, 0.01)
@@ -57,7 +57,7 @@ def test_auditions_leave_what_really_puts_on_and_into():
 def test_kind_whose_pairs_end_in_several_states_has_an_operator_for_each():
     chosen = chosen_among([CARRY], seed=0)
     found = rehearse(FACTORY, chosen, kinds, objects=80, seed=1)
-    table = tabulate_pairs(found, make_world().feature_names, STATES)
+    table = tabulate_pairs(found, ToyRelations().feature_names, STATES)
     promised = {one.promise.state: one for one in table.operators if one.promise and one.pair == "1"}
     assert {toy_relations.ON, toy_relations.IN} == set(promised)
     assert len({one.name for one in promised.values()}) == 2

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from toy_learning import by_affordance, search
+from toy_learning import an_outcome, by_affordance, search
 
 from neurosym.errors import InvalidValue
 from neurosym.operators import OperatorTable, Primitive
@@ -18,29 +18,23 @@ from neurosym.primitives.rehearsal import (
     tabulate,
 )
 from neurosym.primitives.sampling import MOST_DRAWS, draw_scene, sample_by_category
-from neurosym.world import Outcome, Scene
+from neurosym.world import Scene
 from neurosym.worlds.toy import WIDEST_GRASP, make_world
 
 GRASP = Primitive("111", (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), 0.0)
 LEFT = Primitive("010", (0, -0.04, 0, 1, 0, 0, 0, 1, 0, 0.04, 0, 1), 0.0)
 
 
-def an_outcome(shift=(0.0, 0.0, 0.0), rest=None, **flags):
-    def scene(offset):
-        return Scene(np.ones((1, 4)), np.array([offset], dtype=float), np.array([[0.0, 0, 0, 1]]))
-
-    flags = {"held": False, "toppled": False, "lost": False, "peak_height": 0.0, **flags}
-    return Outcome(scene((0, 0, 0)), scene(shift), scene(shift if rest is None else rest), 0, **flags)
-
-
 def table_of(primitives, categorise=by_affordance, **options):
     return tabulate(rehearse(make_world, primitives, categorise, **options), make_world().feature_names)
 
 
-def test_categories_have_the_share_of_objects_that_are_theirs():
+def test_categories_have_their_share_of_objects_and_two_workers_give_the_table_of_one():
     features = np.array([[0.05, 0.05, 0.05, 0.0]] * 3 + [[0.2, 0.2, 0.05, 0.0]])
     found = describe_categories(features, np.array(["0", "0", "0", "1"]), make_world().feature_names)
     assert [(one.symbol, one.share) for one in found] == [("0", 0.75), ("1", 0.25)]
+    one, two = (table_of([GRASP, LEFT], objects=6, seed=1, workers=workers) for workers in (1, 2))
+    assert one == two
 
 
 def test_operators_promise_what_the_toy_world_does():
@@ -80,33 +74,31 @@ def test_what_is_kept_of_rehearsals_is_what_happened_to_the_objects_in_their_ord
             assert (kept.peak_height, kept.turn) == (pytest.approx(outcome.peak_height, abs=1e-5), 0.0)
 
 
-def test_two_workers_give_the_table_of_one():
-    one, two = (table_of([GRASP, LEFT], objects=6, seed=1, workers=workers) for workers in (1, 2))
-    assert one == two
+AIR = [an_outcome((0, 0, z), (0, 0, 0), held=True) for z in (0.1, 0.3)]
 
 
-def test_modes_are_never_averaged_together():
-    lifts = [an_outcome((0, 0, 0.2), (0, 0, 0), held=True)] * 3
-    modes = modes_of([*lifts, *[an_outcome((0.1, 0, 0))] * 5])
-    assert [(mode.kind, mode.count, round(mode.effect[2], 9)) for mode in modes] == [
-        ("resting", 5, 0.0),
-        ("held", 3, 0.2),
-    ]
-
-
-def test_near_mean_counts_what_lies_within_the_planning_tolerance():
-    (mode,) = modes_of([*[an_outcome((0.0, 0, 0))] * 9, an_outcome((0.5, 0, 0))])
-    assert mode.effect[0] == pytest.approx(0.05)
-    assert mode.near_mean == 0 + 9  # those at 0 are 0.05 off the mean, the other is 0.45 off
-    (close,) = modes_of([an_outcome((0.0, 0, 0)), an_outcome((0.08, 0, 0))])
-    assert close.near_mean == 2
-
-
-def test_held_outcomes_are_judged_in_mid_air_resting_ones_at_rest_and_what_is_lost_is_not_held():
-    assert an_outcome(lost=True, held=True).kind == "lost"
-    air = [an_outcome((0, 0, z), (0, 0, 0), held=True) for z in (0.1, 0.3)]
-    assert modes_of(air)[0].near_mean == 0
-    assert modes_of([replace(outcome, held=False) for outcome in air])[0].near_mean == 2
+@pytest.mark.parametrize(
+    ("outcomes", "modes"),
+    [
+        (  # never averaged together
+            [*[an_outcome((0, 0, 0.2), (0, 0, 0), held=True)] * 3, *[an_outcome((0.1, 0, 0))] * 5],
+            [("resting", 5, (0.1, 0, 0), 5), ("held", 3, (0, 0, 0.2), 3)],
+        ),
+        (
+            [*[an_outcome()] * 9, an_outcome((0.5, 0, 0))],
+            [("resting", 10, (0.05, 0, 0), 9)],
+        ),  # 0.45 is too far
+        ([an_outcome(), an_outcome((0.08, 0, 0))], [("resting", 2, (0.04, 0, 0), 2)]),
+        (AIR, [("held", 2, (0, 0, 0.2), 0)]),  # judged in mid-air
+        ([replace(outcome, held=False) for outcome in AIR], [("resting", 2, (0, 0, 0.2), 2)]),  # at rest
+        ([an_outcome(lost=True, held=True)], [("lost", 1, (0, 0, 0), 1)]),
+    ],
+)
+def test_modes_tell_how_outcomes_ended_and_how_many_lie_within_the_planning_tolerance(outcomes, modes):
+    found = modes_of(outcomes)
+    assert [(one.kind, one.count, one.near_mean) for one in found] == [(k, c, n) for k, c, _, n in modes]
+    for one, (*_, effect, _) in zip(found, modes, strict=True):
+        np.testing.assert_allclose(one.effect, effect, atol=1e-9)
 
 
 def test_symbol_that_no_object_has_is_a_category_of_which_nothing_is_known():
@@ -160,15 +152,12 @@ def test_objects_near_the_edge_of_what_can_be_held_are_tried(before, after):
     assert now.rehearsals[: was.trials] == was.rehearsals
 
 
-def test_trials_count_only_objects_as_the_world_draws_them(before, after):
+def test_trials_count_only_objects_as_the_world_draws_them_whatever_the_workers(before, after):
     assert [(one.name, one.trials, one.modes) for one in after.operators] == [
         (one.name, one.trials, one.modes) for one in before.operators
     ]
     assert after.categories == before.categories
     assert of(after, "111", "1") == of(before, "111", "1"), "what is sure is not rehearsed again"
-
-
-def test_the_number_of_workers_changes_nothing_and_progress_counts_on_from_round_to_round(before, after):
     told: list[tuple[int, int]] = []
     again = rehearse_unsure(search((), by_shape, told=told, objects=OBJECTS, workers=2), before)
     assert again == after
@@ -199,7 +188,7 @@ def sample(categorise, **options):
     return sample_by_category(make_world(), categorise, seed=3, stream=7, **options)
 
 
-def test_rare_categories_have_as_many_objects_as_asked_for_and_common_ones_what_is_typical():
+def test_rare_categories_have_as_many_objects_as_asked_for_or_as_were_found():
     found = sample(by_width(0.1), least=12, typical=40)
     everything, symbols = drawn(600), by_width(0.1)(drawn(600))
     counts = {symbol: max(12, symbols[:40].count(symbol)) for symbol in "01"}
@@ -207,9 +196,6 @@ def test_rare_categories_have_as_many_objects_as_asked_for_and_common_ones_what_
     for symbol, scenes in found.scenes.items():
         first = [row for row, its in zip(everything, symbols, strict=True) if its == symbol]
         assert np.array_equal([scene.features[0] for scene in scenes], first[: counts[symbol]])
-
-
-def test_a_category_too_rare_has_what_was_found():
     found = sample(by_width(0.008), least=9)
     symbols = by_width(0.008)(drawn(MOST_DRAWS * 9))
     assert 0 < symbols.count("1") < 9

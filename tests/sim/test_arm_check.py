@@ -1,17 +1,15 @@
 """An arm that is not as its file says is refused in one sentence: which joint, and what would be valid."""
 
 import re
-import subprocess
-import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from neurosym import check_world
-from neurosym.errors import InvalidArm, InvalidValue
+from neurosym.errors import InvalidArm
 from neurosym.sim.arm_check import check_arm
-from neurosym.sim.config import Arm, TabletopConfig
+from neurosym.sim.config import Arm, TabletopConfig, loaded
 from neurosym.sim.numeric_inverse import NumericInverse
 from neurosym.sim.robot import UR10
 from neurosym.sim.tabletop import Tabletop
@@ -40,15 +38,8 @@ FINGER = (
     '<joint name="j-{name}" type="{kind}"><parent link="{parent}"/><child link="{name}"/><axis xyz="{axis}"/>'
     '<limit lower="{lower}" upper="{upper}" effort="50" velocity="1"/></joint>'
 )
-LEFT = {
-    "name": "left",
-    "kind": "prismatic",
-    "parent": "palm",
-    "axis": "0 1 0",
-    "lower": "0",
-    "upper": "0.05",
-    "middle": "0.005",
-}
+LEFT = {"name": "left", "kind": "prismatic", "parent": "palm", "middle": "0.005"}
+LEFT |= {"axis": "0 1 0", "lower": "0", "upper": "0.05"}
 RIGHT = LEFT | {"name": "right", "axis": "0 -1 0", "middle": "-0.005"}
 INERTIA = '<inertia ixx="1e-4" iyy="1e-4" izz="1e-4" ixy="0" ixz="0" iyz="0"/>'
 
@@ -118,22 +109,14 @@ def refusal(urdf: str, **changes) -> str:
     return said
 
 
-def test_shipped_arm_is_as_its_file_says():
+def test_shipped_arm_and_a_hand_that_is_as_assumed_pass_and_it_lifts_a_box_whatever_mimics(written):
     check_arm(TabletopConfig(), UR10)
-
-
-def test_hand_that_is_as_assumed_makes_a_world_and_lifts_a_box(written):
-    world = Tabletop(TABLE, "gantry", arm=arm_of(written(gantry())))
+    joint, urdf = 'name="j-right" type="prismatic">', gantry()
+    assert joint in urdf
+    urdf = written(urdf.replace(joint, joint + '<mimic joint="j-left"/>'))
+    world = Tabletop(TABLE, "gantry", arm=arm_of(urdf))
     world.try_out()
     check_world(world)
-
-
-def test_mimicking_joint_is_no_matter_where_both_are_driven(written):
-    urdf = gantry().replace(
-        'name="j-right" type="prismatic">', 'name="j-right" type="prismatic"><mimic joint="j-left"/>'
-    )
-    assert "mimic" in urdf
-    Tabletop(TABLE, "gantry", arm=arm_of(written(urdf)))
 
 
 NEGATIVE = {"lower": "-0.05", "upper": "0"}
@@ -148,86 +131,45 @@ LOOSE = (
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
-        (
-            {"left": NEGATIVE},
-            r"j-left \(5\), whose limits are -0.05 and 0 m; valid: from 0 .* to half_opening",
-        ),
-        ({"right": {"upper": "0"}}, r"j-right \(6\), whose limits are 0 and 0 m"),
-        ({"right": {"upper": "0.03"}}, r"j-right \(6\), whose limits are 0 and 0.03 m.* = 0.05 m"),
-        ({"left": {"lower": "0.05", "upper": "0"}}, r"j-left \(5\), whose limits are 0.05 and 0 m"),
-        ({"left": {"kind": "revolute"}}, r"j-left \(5\), whose joint does not slide"),
-        ({"left": {"kind": "continuous"}}, r"j-left \(5\), whose joint does not slide"),
-        ({"right": {"kind": "fixed"}}, r"j-right \(6\), whose joint is fixed; valid: two"),
-        ({"right": {"axis": "0 1 0"}}, r"j-left \(5\) and j-right \(6\), which both open to one side"),
-        ({"right": {"axis": "-1 0 0"}}, r"j-right \(6\), which goes by \(-0.050, 0.000, 0.000\) m"),
-        ({"right": {"axis": "0 -2 0"}}, r"j-right \(6\), which goes by \(0.000, -0.100, 0.000\) m"),
-        ({"right": {"axis": "0 0 0"}}, r"j-right \(6\), which goes by \(0.000, 0.000, 0.000\) m"),
+        ({"left": NEGATIVE}, r"j-left, whose limits are -0.05 and 0 m; valid: from 0 .* to half_opening"),
+        ({"right": {"upper": "0.03"}}, r"j-right, whose limits are 0 and 0.03 m.* = 0.05 m"),
+        ({"left": {"lower": "0.05", "upper": "0"}}, r"j-left, whose limits are 0.05 and 0 m"),
+        ({"left": {"kind": "revolute"}}, r"j-left, whose joint does not slide"),
+        ({"right": {"kind": "fixed"}}, r"j-right, whose joint is fixed; valid: two"),
+        ({"right": {"axis": "0 1 0"}}, r"j-left and j-right, which both open to one side"),
+        ({"right": {"axis": "-1 0 0"}}, r"j-right, which goes by \(-0.050, 0.000, 0.000\) m"),
+        ({"right": {"axis": "0 -2 0"}}, r"j-right, which goes by \(0.000, -0.100, 0.000\) m"),
         (
             {"left": BOTH_WAYS | {"axis": "0 -1 0"}, "right": BOTH_WAYS | {"axis": "0 1 0"}},
             r"which are 0.000 m apart at 0 and 0.080 m at half_opening = 0.05 m; valid: they meet",
         ),
-        (
-            {
-                "left": {"axis": "0 -1 0", "middle": "0.055"},
-                "right": {"axis": "0 1 0", "middle": "-0.055"},
-            },
-            r"which are 0.100 m apart at 0 and 0.000 m",
-        ),
         ({"left": {"middle": "0.025"}}, r"which are 0.020 m apart at 0"),
-        ({"left": {"middle": "0.025"}, "right": {"middle": "0.015"}}, r"tool j-tool \(7\), in whose frame"),
-        (
-            {"tool_at": "0 0 0"},
-            r"tool j-tool \(7\), in whose frame the fingers reach from .* m; valid:",
-        ),
-        ({"tool_at": "0 0.03 0.105"}, r"tool j-tool \(7\), in whose frame"),
-        ({"tool_on": "left"}, r"tool j-tool \(6\), which the finger j-left \(5\) moves"),
-        (
-            {"palm_by": "revolute"},
-            r"j-palm \(4\), which moves the (finger|tool) .* none of joints = \(0, 1, 2, 3\)",
-        ),
-        ({"more": LOOSE}, r"j-tip \(6\) on the finger j-left \(5\), which nothing drives"),
-        (
-            {"left": {"parent": "l-z"}},
-            r"j-turn \(3\) among its joints, which does not move the finger j-left",
-        ),
+        ({"left": {"middle": "0.025"}, "right": {"middle": "0.015"}}, r"tool j-tool, in whose frame"),
+        ({"tool_at": "0 0 0"}, r"tool j-tool, in whose frame the fingers reach from .* m; valid:"),
+        ({"tool_at": "0 0.03 0.105"}, r"tool j-tool, in whose frame"),
+        ({"tool_on": "left"}, r"tool j-tool, which the finger j-left moves"),
+        ({"palm_by": "revolute"}, r"j-palm, which moves the (finger|tool) .* none of joints"),
+        ({"more": LOOSE}, r"j-tip on the finger j-left, which nothing drives"),
+        ({"left": {"parent": "l-z"}}, r"j-turn among its joints, which does not move the finger j-left"),
     ],
     ids=lambda value: str(value) if isinstance(value, dict) else "",
 )
 def test_hand_that_is_not_as_assumed_is_refused(written, changed, said):
     urdf = written(gantry(**changed))
-    order = [*re.findall(r'joint name="(.*?)"', depth_first(urdf))]
+    with loaded(urdf) as (client, body):
+        order = [client.getJointInfo(body, n)[1].decode() for n in range(client.getNumJoints(body))]
     known = {"tool": order.index("j-tool"), "fingers": (order.index("j-left"), order.index("j-right"))}
+    said = re.sub(r"(j-[a-z]+)(?=[ ,\\])", lambda match: rf"{match[1]} \({order.index(match[1])}\)", said)
     told = refusal(urdf, **known)
-    numbers = {name: f"{name} ({index})" for index, name in enumerate(order)}
-    wanted = re.sub(r"(j-[a-z]+) \\\(\d\\\)", lambda match: re.escape(numbers[match[1]]), said)
-    assert re.search(wanted, told), told
-
-
-def depth_first(urdf: str) -> str:
-    """List joints as PyBullet counts them."""
-    import pybullet
-
-    client = pybullet.connect(pybullet.DIRECT)
-    try:
-        body = pybullet.loadURDF(urdf, physicsClientId=client)
-        infos = [
-            pybullet.getJointInfo(body, index, physicsClientId=client)
-            for index in range(pybullet.getNumJoints(body, physicsClientId=client))
-        ]
-    finally:
-        pybullet.disconnect(client)
-    return "".join(f'joint name="{info[1].decode()}"' for info in infos)
+    assert re.search(said, told), told
 
 
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
         ({"fingers": (5, 12)}, r"no joint or link 12; valid: 0 to 7"),
-        ({"fingers": (-1, 6)}, r"no joint or link -1"),
         ({"tool": 8}, r"no joint or link 8"),
         ({"fingers": (6, 6)}, r"joint 6 twice"),
-        ({"fingers": (3, 6)}, r"joint 3 twice"),
-        ({"joints": (0, 1, 2, 0)}, r"joint 0 twice"),
         ({"joints": (0, 1, 2)}, r"4 forces for 3 joints"),
         ({"joints": (0, 1, 2), "forces": (60.0, 60.0, 60.0)}, r"j-turn \(3\), which moves the finger"),
         ({"joints": (0, 1, 2, 4)}, r"j-palm \(4\), which neither turns nor slides"),
@@ -243,12 +185,11 @@ def depth_first(urdf: str) -> str:
     ],
 )
 def test_description_that_does_not_fit_the_file_is_refused(written, changes, said):
-    told = None
-    try:
-        told = refusal(written(gantry()), **changes)
-    except InvalidArm as error:  # by the arm itself, before there is a world
-        told = str(error)
+    told = refusal(written(gantry()), **changes)
     assert re.search(said, told), told
+
+
+NO_TREE = "its joints make no tree of its links"
 
 
 @pytest.mark.parametrize(
@@ -257,25 +198,11 @@ def test_description_that_does_not_fit_the_file_is_refused(written, changes, sai
         (("j-x", "j-x"), None),
         (("</robot>", ""), "it is no whole XML"),
         (('type="revolute"', 'type="wheel"'), "PyBullet says: Joint j-turn has unknown type: wheel"),
-        (('<child link="palm"/>', '<child link="hand"/>'), "a joint names the link hand, which it does not"),
-        (('<parent link="l-x"/>', '<parent link="palm"/>'), "its joints lead round in a circle at the link"),
-        (("</robot>", '<link name="alone"/></robot>'), "the links base and alone are no joint's child"),
-        (
-            (
-                "</robot>",
-                '<joint name="j" type="fixed"><parent link="base"/><child link="left"/></joint></robot>',
-            ),
-            "the link left is the child of 2 joints",
-        ),
-        (
-            (PALM, '<mesh filename="package://hand/palm.stl"/>'),
-            "the mesh package://hand/palm.stl of the link palm is",
-        ),
-        (
-            (PALM, '<mesh filename="palm.stl"/>'),
-            "the mesh palm.stl of the link palm is not found; valid: a path",
-        ),
-        ((PALM, '<mesh filename="empty.stl"/>'), "the mesh empty.stl of the link palm cannot be read"),
+        (('<child link="palm"/>', '<child link="hand"/>'), NO_TREE),
+        (("</robot>", '<link name="alone"/></robot>'), NO_TREE),
+        ((PALM, '<mesh filename="package://hand/palm.stl"/>'), "PyBullet says: .* find 'hand/palm.stl'"),
+        ((PALM, '<mesh filename="palm.stl"/>'), "PyBullet says: .* cannot find 'palm.stl' in any directory"),
+        ((PALM, '<mesh filename="empty.stl"/>'), "PyBullet says: .* cannot extract mesh from '.*empty.stl'"),
     ],
 )
 def test_file_that_cannot_be_read_is_told_as_that_and_prints_nothing(written, tmp_path, capfd, change, said):
@@ -284,13 +211,15 @@ def test_file_that_cannot_be_read_is_told_as_that_and_prints_nothing(written, tm
     if said is None:
         Tabletop(TABLE, "gantry", arm=arm_of(urdf))
     else:
-        assert f"cannot be read from {urdf}: {said}" in refusal(urdf)
+        assert re.search(f"cannot be read from {re.escape(urdf)}: {said}", refusal(urdf))
     assert capfd.readouterr() == ("", "")
 
 
-def test_file_that_is_none_is_told_as_that(tmp_path):
+def test_file_that_is_none_and_a_hand_without_shapes_are_told_as_that(tmp_path, written):
     assert "gone.urdf: there is no such file" in refusal(str(tmp_path / "gone.urdf"))
     assert "it is a folder" in refusal(str(tmp_path))
+    urdf = re.sub(r'<collision><origin xyz="0 0.005.*?</collision>', "", gantry())
+    assert "j-left (5), which has no collision shape" in refusal(written(urdf))
 
 
 def test_mended_file_is_read_anew(written):
@@ -299,47 +228,13 @@ def test_mended_file_is_read_anew(written):
     assert len(world.sample_scene(np.random.default_rng(0), 1)) == 1
 
 
-def test_hand_without_shapes_is_refused(written):
-    urdf = re.sub(r'<collision><origin xyz="0 0.005.*?</collision>', "", gantry())
-    assert "j-left (5), which has no collision shape" in refusal(written(urdf))
-
-
-@pytest.mark.parametrize("changed", [{"mass": "0"}, {"inertia": "0"}])
+@pytest.mark.parametrize("changed", [('value="0.05"', 'value="0"'), ("1e-4", "0")])
 def test_hand_that_seems_right_and_does_not_lift_is_told_by_check_world(written, changed):
-    urdf = gantry().replace('value="0.05"', f'value="{changed.get("mass", "0.05")}"')
-    world = Tabletop(
-        TABLE, "gantry", arm=arm_of(written(urdf.replace("1e-4", changed.get("inertia", "1e-4"))))
-    )
+    world = Tabletop(TABLE, "gantry", arm=arm_of(written(gantry().replace(*changed))))
     with pytest.raises(InvalidArm, match=r"does not lift a plain box of 0\.05 x 0\.05 x 0\.05 m: .* 0\.2 m"):
         check_world(world)
 
 
-def test_box_that_no_hand_could_hold_is_not_tried(written):
-    wide = replace(TABLE, size=(0.1, 0.12))
-    assert Tabletop(wide, "gantry", arm=arm_of(written(gantry()))).try_out() is None
-
-
-def test_slippery_world_is_no_fault_of_the_hand(written):
-    slippery = replace(TABLE, friction=0.001)
-    assert Tabletop(slippery, "gantry", arm=arm_of(written(gantry()))).try_out() is None
-
-
-def test_table_beyond_reach_is_told_as_that(written):
-    with pytest.raises(InvalidValue, match="ask for more than the arm reaches") as error:
-        Tabletop(replace(TABLE, table_x=(0.35, 9.0)), "gantry", arm=arm_of(written(gantry())))
-    assert not isinstance(error.value, InvalidArm)
-
-
-def test_command_tells_whole_what_is_wrong_with_a_hand(written, tmp_path):
-    urdf = written(gantry(right={"axis": "0 1 0"}))
-    code = "from test_arm_check import TABLE, arm_of\nfrom neurosym.sim.tabletop import Tabletop\n"
-    (tmp_path / "hand.py").write_text(
-        f"import sys; sys.path.insert(0, {str(__file__).rsplit('/', 1)[0]!r})\n{code}"
-        f"def make() -> Tabletop: return Tabletop(TABLE, 'gantry', arm=arm_of({urdf!r}))\n"
-    )
-    typed = [sys.executable, "-m", "neurosym", "init", "d", "--world", "hand:make"]
-    ended = subprocess.run(typed, cwd=tmp_path, capture_output=True, text=True)
-    assert ended.returncode == 2
-    said = "j-left (5) and j-right (6), which both open to one side; valid: axes that point apart."
-    assert ended.stderr.strip() == f"The arm of {urdf} has the fingers {said}"
-    assert ended.stdout == ""
+@pytest.mark.parametrize("changed", [{"size": (0.1, 0.12)}, {"friction": 0.001}])
+def test_box_that_no_hand_could_hold_or_that_the_world_makes_slip_is_no_fault_of_the_hand(written, changed):
+    assert Tabletop(replace(TABLE, **changed), "gantry", arm=arm_of(written(gantry()))).try_out() is None

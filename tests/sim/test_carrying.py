@@ -1,15 +1,13 @@
-"""Actions with a place as reference, in the robot's world: what they carry, where, and always the same."""
+"""Actions with a place or an object as reference, in the robot's world: carried there, put on, put in."""
 
 import numpy as np
 import pytest
 from standing import CARRY, CLOSED, FAR, boxes
 
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import TabletopConfig
-from neurosym.sim.interaction import _grasp_opening
-from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
-from neurosym.world import Place
+from neurosym.world import OtherObject, Place, Scene
+from neurosym.worlds.toy import make_world
 from neurosym.worlds.workers import Task, perform_all
 
 MISS = np.array([0, 0, 0.025, CLOSED, 0, 0, 0.025, CLOSED, 0, 0, 0, CLOSED])
@@ -53,79 +51,25 @@ def test_what_is_carried_passes_over_what_stands_in_the_way():
     assert outcome.peak_height > wall[2]
 
 
-def test_neighbours_of_the_place_stay_where_they_are():
-    beside = (0.05, 0.05, 0.06, 0, FAR.x, FAR.y - 0.09)
-    outcome = Tabletop().interact(boxes(BOX, beside), CARRY, 0, reference=FAR)
-    assert outcome.carried
-    assert not outcome.disturbed
-
-
-@pytest.mark.parametrize("side", [-1, 1])
-def test_neighbours_two_centimetres_from_the_target_stay_where_they_are(side):
+@pytest.mark.parametrize(
+    ("x", "y", "is_far"), [(0.5, -0.17, False), (0.5, -0.03, False), (FAR.x, FAR.y - 0.09, True)]
+)
+def test_neighbours_of_the_target_and_of_the_place_stay_where_they_are(x, y, is_far):
     """The hand opens along y to 14 cm where it need not heed them."""
-    beside = (0.05, 0.05, 0.06, 0, 0.5, -0.1 + side * 0.07)
-    narrow = Tabletop().interact(boxes(BOX, beside), CARRY, 0, reference=FAR)
+    scene = boxes(BOX, (0.05, 0.05, 0.06, 0, x, y))
+    narrow = Tabletop().interact(scene, CARRY, 0, reference=FAR)
     assert narrow.carried
     assert not narrow.disturbed
-    assert Tabletop().interact(boxes(BOX, beside), CARRY, 0).touched == (1,)
-
-
-@pytest.mark.parametrize(("shift", "opening"), [(0.0, 0.031), (0.01, 0.041), (-0.01, 0.041)])
-def test_hand_opens_around_what_it_can_span(shift, opening):
-    simulation = Simulation(Tabletop().client(), TabletopConfig(), boxes(BOX))
-    assert _grasp_opening(simulation, 0, BOX[5] + shift, 0.07) == pytest.approx(opening, abs=0.003)
-
-
-def test_hand_opens_around_the_nearest_wall_of_what_is_too_wide():
-    simulation = Simulation(Tabletop().client(), TabletopConfig(), boxes(WIDE))
-    assert _grasp_opening(simulation, 0, WIDE[5] + 0.08, 0.07) == pytest.approx(0.011, abs=0.003)
-    assert _grasp_opening(simulation, 0, WIDE[5], 0.07) == 0.07
-
-
-def test_hand_waits_above_a_tower():
-    tower = [(0.06, 0.06, 0.10, 0, 0.65, 0.0)] * 4
-    scene = boxes(*tower, BOX)
-    scene.positions[:4, 2] += 0.10 * np.arange(4)
-    outcome = Tabletop().interact(scene, CARRY, 4, reference=Place(0.5, 0.2))
-    assert outcome.carried
-    assert not outcome.disturbed
-
-
-def test_same_bytes_in_any_order_and_with_any_number_of_workers():
-    tasks = [
-        Task(Tabletop().sample_scene(np.random.default_rng(n), 1), CARRY, reference=FAR) for n in range(6)
-    ]
-    one, two = (
-        [outcome.end.positions.tobytes() for outcome in perform_all(Tabletop, tasks, workers)]
-        for workers in (1, 2)
-    )
-    reverse = [outcome.end.positions.tobytes() for outcome in perform_all(Tabletop, tasks[::-1], 1)]
-    assert one == two == reverse[::-1]
+    assert is_far or Tabletop().interact(scene, CARRY, 0).touched == (1,)
 
 
 def test_place_off_the_table_is_refused_in_one_sentence():
-    message = (
-        r"The place \(1.2, 0\) lies off the table; valid: x from 0.35 to 0.95 m and y from -0.3 to 0.3 m"
-    )
+    message = r"\(1.2, 0\) lies at x = 1.2, y = 0 m, off the table; valid: x 0.35 to 0.95, y -0.3 to 0.3 m"
     with pytest.raises(InvalidValue, match=message):
         Tabletop().interact(boxes(BOX), CARRY, 0, reference=Place(1.2, 0.0))
-
-
-@pytest.mark.parametrize("values", [(np.nan, 0.0), (0.0, np.inf)])
-def test_impossible_place_is_refused(values):
-    with pytest.raises(InvalidValue, match=r"Place\.[xy] = .* must be finite"):
-        Place(*values)
-
-
-def test_carrying_can_be_filmed():
-    phases = []
-    world = Tabletop(TabletopConfig(frame_every=30))  # a film of few pictures
-    filmed = world.interact(
-        boxes(BOX), CARRY, 0, reference=FAR, on_frame=lambda _, phase: phases.append(phase)
-    )
-    plain = Tabletop().interact(boxes(BOX), CARRY, 0, reference=FAR)
-    assert list(dict.fromkeys(phases))[-3:] == ["carry", "put down", "rise"]
-    assert filmed.end.positions.tobytes() == plain.end.positions.tobytes()
+    for values in ((np.nan, 0.0), (0.0, np.inf)):
+        with pytest.raises(InvalidValue, match=r"Place\.[xy] = .* must be finite"):
+            Place(*values)
 
 
 def test_what_the_hand_would_take_along_by_mistake_is_not_carried_away():
@@ -137,3 +81,64 @@ def test_what_the_hand_would_take_along_by_mistake_is_not_carried_away():
     assert not outcome.carried
     assert outcome.kind == "missed"
     assert np.all(outcome.end.positions[:, 0] < 0.6)
+
+
+# With another object as reference
+
+SMALL = (0.05, 0.05, 0.06, 0, 0.5, -0.1)
+PLATE = (0.12, 0.12, 0.04, 0, 0.7, 0.1)
+TRAY = (0.17, 0.17, 0.05, 1, 0.7, 0.1)
+ON = OtherObject(1)
+
+
+def put(scene: Scene, reference: OtherObject = ON) -> Scene:
+    return Tabletop().interact(scene, CARRY, 0, reference=reference).end
+
+
+def test_box_is_put_on_another_and_touches_it():
+    outcome = Tabletop().interact(boxes(SMALL, PLATE), CARRY, 0, reference=ON)
+    assert outcome.kind == "carried"
+    assert outcome.contacts == ((0, 1),)
+    np.testing.assert_allclose(outcome.end.positions[0], [0.7, 0.1, 0.04 + 0.03], atol=0.004)
+    np.testing.assert_allclose(outcome.resting_effect, [0, 0, 0.04], atol=0.004)
+    assert not outcome.disturbed
+
+
+def test_box_is_put_into_a_tray_stands_on_its_floor_and_is_taken_out_again():
+    end = put(boxes(SMALL, TRAY))
+    np.testing.assert_allclose(end.positions[0][:2], [0.7, 0.1], atol=0.01)
+    assert end.positions[0][2] < 0.03 + 0.01
+    outcome = Tabletop().interact(end, CARRY, 0, reference=FAR)
+    assert outcome.kind == "carried"
+    np.testing.assert_allclose(outcome.end.positions[0], [FAR.x, FAR.y, 0.03], atol=0.006)
+    assert outcome.contacts == ()
+
+
+def test_what_stands_on_the_target_is_carried_along():
+    end = put(boxes(SMALL, (0.06, 0.06, 0.05, 0, 0.7, 0.1), (*TRAY[:4], 0.45, 0.15)))
+    outcome = Tabletop().interact(end, CARRY, 1, reference=FAR)
+    assert outcome.kind == "carried"
+    np.testing.assert_allclose(outcome.end.positions[0], [FAR.x, FAR.y, 0.05 + 0.03], atol=0.01)
+    assert dict(outcome.disturbed) == {0: "moved"}
+
+
+def test_towers_of_four_stand_still_and_have_the_same_bytes_in_any_process():
+    scene = boxes(*((0.05 + 0.01 * n, 0.05 + 0.01 * n, 0.06, 0, 0.42 + 0.13 * n, 0.0) for n in range(4)))
+    for target, reference in ((2, 3), (1, 2), (0, 1)):
+        tasks = [Task(scene, CARRY, target, reference=OtherObject(reference))] * 3
+        outcomes = [*perform_all(Tabletop, tasks, workers=2)]
+        assert len({outcome.end.positions.tobytes() for outcome in outcomes}) == 1
+        assert outcomes[0].kind == "carried"
+        scene = outcomes[0].end
+    np.testing.assert_allclose(scene.positions[:, 2], [0.21, 0.15, 0.09, 0.03], atol=0.004)
+    assert outcomes[0].contacts == ((0, 1), (1, 2), (2, 3))
+    still = Tabletop().interact(scene, np.tile([0.0, 0.0, 0.3, 0.0], 3), 0).end
+    np.testing.assert_allclose(still.positions, scene.positions, atol=0.001)
+
+
+def test_object_that_cannot_be_the_reference_is_refused():
+    for index, message in ((0, "Object 0 is the target"), (2, "the scene has objects 0 to 1"), (-1, "-1")):
+        with pytest.raises(InvalidValue, match=message):
+            put(boxes(SMALL, PLATE), OtherObject(index))
+    with pytest.raises(InvalidValue, match="toy world takes no object as a reference"):
+        make_world().interact(boxes(SMALL, PLATE), CARRY, 0, reference=ON)

@@ -9,29 +9,21 @@ import time
 from pathlib import Path
 
 import numpy as np
-import pybullet
 import pytest
+from command_line import neurosym
 from places import DOCS
+from standing import CARRY, boxes
 
-from neurosym import check_world
+from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import TOOL_DOWN
+from neurosym.sim.config import TOOL_DOWN, Arm, loaded, pybullet
 from neurosym.sim.numeric_inverse import NumericInverse
 from neurosym.sim.robot import UR10, joints_for
-from neurosym.world import Place, Scene
+from neurosym.world import Place
 
 DOCUMENT = DOCS / "own-robot.md"
 CODE, LOOK = re.findall(r"```python\n(.*?)```", DOCUMENT.read_text(), flags=re.DOTALL)
-LOW = -0.025
-OPEN, CLOSED = 1.0, 0.0
-BODY = """<link name="{name}"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0"
-iyz="0"/></inertial></link>"""
-SLIDE = (
-    BODY
-    + """<joint name="slide_{name}" type="prismatic"><parent link="{parent}"/>
-<child link="{name}"/><origin rpy="{rpy}"/><axis xyz="{axis}"/>
-<limit lower="-1" upper="1" effort="1" velocity="1"/></joint>"""
-)
+UR10_REACHES = [0.3, -0.35, 0.013], [1.0, 0.35, 0.36]
 
 
 @pytest.fixture(scope="module")
@@ -46,15 +38,6 @@ def panda(tmp_path_factory):
     del sys.modules["panda"]
 
 
-def box(size: float, height: float, x: float = 0.5, y: float = 0.0) -> Scene:
-    upright = np.array([[0.0, 0.0, 0.0, 1.0]])
-    return Scene(np.array([[size, size, height, 0.0]]), np.array([[x, y, height / 2]]), upright)
-
-
-def act(*waypoints: tuple[float, float, float, float]) -> np.ndarray:
-    return np.array(waypoints, dtype=float).ravel()
-
-
 def test_documented_action_by_hand_lifts_the_box_and_draws_it(panda):
     said = subprocess.run([sys.executable, "-c", LOOK], capture_output=True, text=True).stdout
     assert said.startswith("held ")
@@ -62,17 +45,25 @@ def test_documented_action_by_hand_lifts_the_box_and_draws_it(panda):
 
 
 def test_panda_carries_a_box_to_a_place(panda):
-    world, carry = panda.make(), act((0, 0, 0, OPEN), (0, 0, 0, CLOSED), (0, 0, 0, CLOSED))
+    world = panda.make()
     assert "place" in world.references
     x, y = world.table.x, world.table.y
     place = Place(x[0] + 0.15, y[1] - 0.15)
-    outcome = world.interact(box(0.05, 0.08), carry, 0, reference=place)
+    outcome = world.interact(boxes((0.05, 0.05, 0.08, 0, 0.5, 0.0)), CARRY, 0, reference=place)
     assert outcome.kind == "carried"
     assert np.linalg.norm(outcome.resting_effect) < 0.01, "relative to the place"
 
 
-def test_documented_robot_is_short():
-    assert len(CODE.splitlines()) < 60
+def assert_exact(arm: Arm, inverse, points: np.ndarray, within: float) -> None:
+    """Check that an inverse brings the tool to points, pointing down."""
+    with loaded(arm.urdf, arm.base) as (client, body):
+        for point, angles in zip(points, inverse(points), strict=True):
+            for joint, angle in zip(arm.joints, angles, strict=True):
+                client.resetJointState(body, joint, angle)
+            place, turn = client.getLinkState(body, arm.tool, computeForwardKinematics=1)[4:6]
+            assert np.abs(np.array(place) - point).max() < within
+            down = np.reshape(pybullet.getMatrixFromQuaternion(turn), (3, 3))
+            assert np.abs(down - TOOL_DOWN).max() < 1e-5
 
 
 def test_inverse_is_exact_wherever_the_hand_may_go_as_pybullet_sees_it(panda):
@@ -80,18 +71,16 @@ def test_inverse_is_exact_wherever_the_hand_may_go_as_pybullet_sees_it(panda):
     low, high = [x[0] - 0.05, y[0] - 0.05, 0.013], [x[1] + 0.05, y[1] + 0.05, 0.36]
     corners = np.stack(np.meshgrid(*zip(low, high, strict=True)), axis=-1).reshape(-1, 3)
     points = np.vstack([corners, np.random.default_rng(0).uniform(low, high, (300, 3))])
-    client = pybullet.connect(pybullet.DIRECT)
-    try:
-        arm = pybullet.loadURDF(panda.URDF, panda.BASE, useFixedBase=True, physicsClientId=client)
-        for point, angles in zip(points, panda.PANDA.inverse_kinematics(points), strict=True):
-            for joint, angle in zip(panda.JOINTS, angles, strict=True):
-                pybullet.resetJointState(arm, joint, angle, physicsClientId=client)
-            state = pybullet.getLinkState(arm, panda.TOOL, computeForwardKinematics=1, physicsClientId=client)
-            turn = np.array(pybullet.getMatrixFromQuaternion(state[5])).reshape(3, 3)
-            assert np.abs(np.array(state[4]) - point).max() < 1e-5
-            assert np.abs(turn - TOOL_DOWN).max() < 1e-5
-    finally:
-        pybullet.disconnect(client)
+    assert_exact(panda.PANDA, panda.PANDA.inverse_kinematics, points, 1e-5)
+    assert_exact(UR10, joints_for, np.random.default_rng(0).uniform(*UR10_REACHES, (300, 3)), 2e-6)
+
+
+@pytest.mark.parametrize("point", [[1.5, 0.0, 0.1], [0.5, 0.0, 1.5], [0.05, 0.0, 0.1]])
+def test_point_out_of_reach_is_refused_with_its_coordinates(panda, point):
+    said = f"\\({point[0]:.3f}, {point[1]:.3f}, {point[2]:.3f}\\) m is out of the arm's reach"
+    for inverse in (panda.PANDA.inverse_kinematics, joints_for):
+        with pytest.raises(InvalidValue, match=said):
+            inverse(np.array([[0.5, 0.0, 0.1], point]))
 
 
 def test_angles_depend_on_the_point_alone_and_change_smoothly(panda):
@@ -105,33 +94,13 @@ def test_angles_depend_on_the_point_alone_and_change_smoothly(panda):
     assert np.abs(np.vstack([inverse(point[None]) for point in path[::50]]) - angles[::50]).max() < 1e-9
 
 
-@pytest.mark.parametrize("point", [[1.2, 0.0, 0.1], [0.5, 0.0, 1.5], [0.05, 0.0, 0.1]])
-def test_point_out_of_reach_is_refused_with_its_coordinates(panda, point):
-    said = f"The point \\({point[0]:.3f}, {point[1]:.3f}, {point[2]:.3f}\\) m is out of the arm's reach"
-    with pytest.raises(InvalidValue, match=said):
-        panda.PANDA.inverse_kinematics(np.array([[0.5, 0.0, 0.1], point]))
-
-
 def test_inverse_agrees_with_the_closed_form_of_the_ur10():
     home = tuple(joints_for(np.array([[0.6, 0.0, 0.2]]))[0].tolist())
     inverse = NumericInverse(UR10.urdf, UR10.base, UR10.joints, UR10.tool, home)
-    points = np.random.default_rng(0).uniform([0.3, -0.35, 0.013], [1.0, 0.35, 0.36], (500, 3))
+    points = np.random.default_rng(0).uniform(*UR10_REACHES, (500, 3))
     assert np.abs(inverse(points) - joints_for(points)).max() < 1e-5
-
-
-def test_joints_that_slide_are_solved_for_too(tmp_path):
-    rows = [
-        ("a", "base", "0 0 0", "1 0 0"),
-        ("b", "a", "0 0 0", "0 1 0"),
-        ("c", "b", f"{np.pi} 0 0", "0 0 1"),
-    ]
-    parts = [SLIDE.format(name=n, parent=p, rpy=r, axis=axis) for n, p, r, axis in rows]
-    urdf = "".join(['<robot name="gantry">', BODY.format(name="base"), *parts, "</robot>"])
-    (tmp_path / "gantry.urdf").write_text(urdf)
-    inverse = NumericInverse(str(tmp_path / "gantry.urdf"), (0.0, 0.0, 0.5), (0, 1, 2), 2, (0.0, 0.0, 0.0))
-    assert np.allclose(inverse(np.array([[0.3, -0.2, 0.1]])), [[0.3, -0.2, 0.4]], atol=1e-6)
-    with pytest.raises(InvalidValue, match="out of the arm's reach"):
-        inverse(np.array([[1.3, 0.0, 0.1]]))
+    path = np.linspace([0.3, -0.35, 0.02], [1.0, 0.35, 0.3], 400)
+    assert np.abs(np.diff(joints_for(path), axis=0)).max() < 0.05, "they do not jump"
 
 
 def test_what_is_no_arm_is_refused():
@@ -143,39 +112,7 @@ def test_what_is_no_arm_is_refused():
         NumericInverse("nowhere.urdf", (0.0, 0.0, 0.0), (0,), 1, (0.0,))(np.zeros((1, 3)))
 
 
-def test_panda_lifts_a_box_and_puts_it_back(panda):
-    outcome = panda.make().interact(
-        box(0.05, 0.05, 0.55, 0.15), act((0, 0, 0, OPEN), (0, 0, 0, CLOSED), (0, 0, 0.05, CLOSED)), 0
-    )
-    assert outcome.kind == "held"
-    assert np.allclose(outcome.effect, [0, 0, 0.25], atol=0.005)
-    assert np.linalg.norm(outcome.resting_effect) < 0.003
-
-
-def test_panda_carries_a_box_to_another_place(panda):
-    there = (0.05, -0.05)
-    action = act((0, 0, 0, OPEN), (*there, 0.018, CLOSED), (*there, 0.05, OPEN))
-    outcome = panda.make().interact(box(0.04, 0.05), action, 0)
-    assert outcome.kind == "resting"
-    assert outcome.peak_height > 0.01
-    assert np.allclose(outcome.resting_effect, [*there, 0], atol=0.003)
-
-
-@pytest.mark.parametrize("sign", [-1, 1])
-def test_panda_pushes_a_box_forth_and_back(panda, sign):
-    behind = -sign * 0.044
-    action = act((behind, 0, LOW, CLOSED), (0, 0, LOW, CLOSED), (sign * 0.05, 0, LOW, CLOSED))
-    outcome = panda.make().interact(box(0.06, 0.03), action, 0)
-    assert outcome.kind == "resting"
-    assert sign * outcome.resting_effect[0] > 0.07
-    assert abs(outcome.resting_effect[1]) < 0.005
-
-
-def test_panda_makes_a_world_without_a_memory(panda):
-    check_world(panda.make())
-
-
-def test_panda_acts_the_same_in_another_process(panda):
+def test_panda_makes_a_world_without_a_memory_also_in_another_process(panda):
     world = panda.make()
     action = world.action_box.sample(np.random.default_rng(0), 1)[0]
     scene = world.sample_scene(np.random.default_rng(0), 2)
@@ -184,27 +121,17 @@ def test_panda_acts_the_same_in_another_process(panda):
     assert again.end.positions.tobytes() == outcome.end.positions.tobytes()
 
 
-def installed(*typed: str) -> None:
-    """Type something after `neurosym`, as the installed command takes it."""
-    command = [sys.executable, "-P", "-c", "from neurosym.commands.cli import main; main()", *typed]
-    ended = subprocess.run(command, capture_output=True, text=True)
-    assert ended.returncode == 0, ended.stderr
-
-
-def test_panda_goes_the_whole_way_at_small_scale(panda):
-    """Stage by stage, because auditions, of `run` too, take a thousand interactions."""
-    installed("init", "tiny", "--world", "panda:make")
-    installed("explore", "tiny", "--strategy", "random", "--steps", "32", "--workers", "1")
-    installed("train", "tiny", "--regime", "paper")  # soon done with so little data
-    installed("distill", "tiny", "--objects", "2", "--workers", "1", "--choice", "lowest-error")
-    installed("compile-domain", "tiny")
-    assert "(define (domain panda)" in Path("tiny/domain.pddl").read_text()
+def test_panda_explores_for_a_domain_of_its_own(panda):
+    """How a domain comes of that does not depend on the arm; `init` checks the world."""
+    assert neurosym("init", "tiny", "--world", "panda:make") == 0
+    assert neurosym("explore", "tiny", "--strategy", "random", "--steps", 4, "--workers", 1) == 0
+    assert Interactions.load(Path("tiny/interactions.npz")).origin["world"] == "panda:make"
 
 
 @pytest.mark.evaluation
 def test_panda_learns_a_domain_with_actions(panda):
     learn = ("--regime", "quick", "--steps", "512", "--rehearsals", "24", "--problems", "0")
-    installed("run", "panda-domain", "--world", "panda:make", *learn)
+    assert neurosym("run", "panda-domain", "--world", "panda:make", *learn) == 0
     assert re.search(r"\(:action (?!reach-goal)", Path("panda-domain/domain.pddl").read_text())
 
 

@@ -2,7 +2,6 @@
 
 import pytest
 
-from neurosym.errors import InvalidValue
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.learning import explore_stage, train_stage
 
@@ -35,12 +34,3 @@ def test_bits_change_what_is_explored_only_where_a_network_with_symbols_is_explo
         assert explored_with(folder, strategy, action_bits=5) == explored_with(folder, strategy)
     assert explored_with(folder, "entropy", action_bits=5)["action_bits"] == 5
     assert "action_bits" not in explored_with(folder, "entropy")
-
-
-def test_impossible_bits_are_refused(folder):
-    for bits, message in (
-        ({"object_bits": 0}, "object_bits = 0 must be between 1 and 6"),
-        ({"action_bits": 9}, "action_bits = 9 must be between 1 and 8"),
-    ):
-        with pytest.raises(InvalidValue, match=message):
-            trained_with(folder, **bits)

@@ -13,11 +13,7 @@ from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.planning import (
-    remarks_on_blocked,
-    remarks_on_number,
-    remarks_on_places,
-)
+from neurosym.stages.planning import remarks_on_number, remarks_on_places
 from neurosym.worlds.world_file import read_world
 
 SHIPPED = Path(__file__).parents[2] / "domains/tabletop"
@@ -31,18 +27,6 @@ def test_goals_without_a_place_are_named_where_a_scene_names_places_of_its_own()
     both = msgspec.structs.replace(own, places={"left": (0.8, 0.1), "right": (0.5, -0.1)})
     assert [*remarks_on_places(both, grounding())] == []
     assert [*remarks_on_places(toy_places.swap(), grounding())] == []
-
-
-def test_place_that_something_immovable_stands_on_is_named():
-    dead = msgspec.structs.replace(
-        grounding(), operators=msgspec.structs.replace(grounding().operators, operators=())
-    )
-    x, y, _ = toy_places.mixed().objects[1].position
-    own = msgspec.structs.replace(toy_places.mixed(), places={"shelf": (x, y), "other": (0.5, 0.2)})
-    (remark,) = remarks_on_blocked(own, dead)
-    assert remark == "item-02 stands on the place shelf, and nothing in this domain moves it away"
-    assert [*remarks_on_blocked(own, grounding())] == []
-    assert [*remarks_on_blocked(toy_places.mixed(), dead)] == []
 
 
 def test_other_categories_than_the_network_sees_are_said_and_taken(folder, capsys):

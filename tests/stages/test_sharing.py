@@ -3,6 +3,7 @@
 import json
 import os
 import threading
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -53,20 +54,27 @@ def test_claim_is_given_back_whatever_happens(tmp_path: Path):
     assert second.perform(stage(second, "mine", claim=Claim.ALONE), again=True)
 
 
-def test_no_record_of_stages_at_the_same_time_is_lost(tmp_path: Path):
-    names = [f"stage-{number}" for number in range(12)]
-    together = threading.Barrier(len(names))
-
-    def perform(name: str) -> None:
-        folder = DomainFolder(tmp_path)
-        together.wait()
-        folder.perform(stage(folder, name), again=True)
-
-    threads = [threading.Thread(target=perform, args=(name,)) for name in names]
+def at_the_same_time(work: Callable[[int], object], count: int) -> None:
+    """Have threads do something with their numbers, all at once."""
+    together = threading.Barrier(count)
+    threads = [
+        threading.Thread(target=lambda number: (together.wait(), work(number)), args=(number,))
+        for number in range(count)
+    ]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
+
+
+def test_no_record_of_stages_at_the_same_time_is_lost(tmp_path: Path):
+    names = [f"stage-{number}" for number in range(12)]
+
+    def perform(number: int) -> None:
+        folder = DomainFolder(tmp_path)
+        folder.perform(stage(folder, names[number]), again=True)
+
+    at_the_same_time(perform, 12)
     assert sorted(DomainFolder(tmp_path).manifest().stages) == sorted(names)
     assert {path.name for path in tmp_path.iterdir()} == {*names, "manifest.json"}
 
@@ -107,18 +115,8 @@ def test_folder_in_which_another_learns_is_refused_in_a_sentence(folder: Path, c
 
 
 def test_problems_made_at_the_same_time_get_names_of_their_own(folder: Path, capsys):
-    together = threading.Barrier(4)
     before = set(DomainFolder(folder).problem_names())
-
-    def make(seed: int) -> None:
-        together.wait()
-        assert new_problem(folder, seed=seed) == 0
-
-    threads = [threading.Thread(target=make, args=(seed,)) for seed in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    at_the_same_time(lambda seed: new_problem(folder, seed=seed), 4)
     made = set(DomainFolder(folder).problem_names()) - before
     assert len(made) == 4
     said = capsys.readouterr().out
@@ -127,9 +125,7 @@ def test_problems_made_at_the_same_time_get_names_of_their_own(folder: Path, cap
     assert len(seeds) == 4
 
 
-def test_scenes_of_other_names_keep_to_their_own_files_or_are_refused(
-    folder: Path,
-):
+def test_scenes_of_other_names_keep_to_their_own_files_or_are_refused(folder: Path):
     domain, problems = DomainFolder(folder), folder / "problems"
     (problems / "other.scene.json").write_bytes((problems / "task-01.scene.json").read_bytes())
     before = {path.name: path.read_bytes() for path in problems.glob("task-*")}

@@ -8,25 +8,18 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from studio_pages import shipped_library
+from studio_pages import chromium, shipped_library
 
 from neurosym.studio.server import Studio
-from tools.benchmarks.studio.browser import BROWSERS, FLAGS, SLOW, Window, browser_here
+from tools.benchmarks.studio.browser import FLAGS, SLOW, Window
 
 pytestmark = pytest.mark.filterwarnings("ignore::DeprecationWarning")
 
 
 @pytest.fixture(scope="module")
 def browser():
-    """A browser of this machine without a window."""
-    playwright = pytest.importorskip("playwright.sync_api", reason="pip install 'neurosym-pddl[browser]'")
-    found = browser_here()
-    if found is None:
-        pytest.skip(f"none of {', '.join(BROWSERS)} is installed")
-    with playwright.sync_playwright() as running:
-        opened = running.chromium.launch(executable_path=found, args=list(FLAGS))
+    with chromium(*FLAGS) as opened:
         yield opened
-        opened.close()
 
 
 @pytest.fixture(scope="module")
@@ -59,39 +52,17 @@ def test_goal_is_dragged_planned_to_and_run(window):
     session.aim(name, *goal[:2], session.problem.object_named(name).position[2])
     window.open("Plan")
     window.press("Plan")
-    window.wait(lambda: session.plans and not session.is_planning)
+    window.wait(lambda: session.plans and not session.planning)
     window.tab.get_by_text("found a plan of").wait_for(timeout=1000 * SLOW)
     window.open("Run")
     window.press("Run")
-    window.wait(lambda: len(session.running.seen) > 20)
+    window.wait(lambda: window.page.drawn > 20)
     window.wait(lambda: not session.running.is_active)
     window.tab.get_by_text("promised", exact=True).wait_for(timeout=1000 * SLOW)
     assert window.asked
     assert [
         url for url in window.asked if "//127.0.0.1:" not in url and not url.startswith(("data:", "blob:"))
     ] == []
-
-
-@pytest.mark.evaluation
-def test_object_is_dragged_before_a_run_and_nudged_during_one(window):
-    session = window.page.session
-    name = "item-01"
-    x, y, z = session.problem.object_named(name).position
-    window.drag((x, y, z), (x - 0.05, y + 0.05, z))
-    moved = session.problem.object_named(name).position
-    assert np.hypot(moved[0] - x + 0.05, moved[1] - y - 0.05) < 0.012
-    session.plan("fast-downward")
-    window.wait(lambda: session.plans and not session.is_planning)
-    session.running.pause()
-    session.running.begin()
-    window.wait(lambda: session.running.number == 1 and not session.running.place)
-    window.wait(lambda: session.running.rest is not None)
-    x, y, z = moved
-    window.drag((x, y, z), (x + 0.06, y, z))
-    window.wait(lambda: abs(session.running.rest.positions[0, 0] - x - 0.06) < 0.02)
-    session.running.stop()
-    window.wait(lambda: not session.running.is_active)
-    assert session.running.run.nudges
 
 
 @pytest.mark.evaluation

@@ -6,13 +6,12 @@ import signal
 import subprocess
 import sys
 import tempfile
-from importlib.metadata import PackageNotFoundError
 from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from command_line import refusal
-from places import ROOT
+from command_line import neurosym, refusal
+from places import ROOT, SHIPPED
 
 
 def started(tmp_path: Path, *arguments: str) -> tuple[subprocess.Popen[str], str]:
@@ -54,14 +53,13 @@ def test_other_machines_are_warned_of_and_a_token_is_asked_for(tmp_path):
 
 
 def test_extra_that_is_missing_or_of_another_version_is_named(capsys, monkeypatch):
-    def missing(_: str) -> str:
-        raise PackageNotFoundError
-
-    monkeypatch.setattr("importlib.metadata.version", missing)
-    assert "pip install 'neurosym-pddl[studio]'" in refusal(capsys, "studio")
-    for found in ("1.0.30", "2.0.0"):
-        monkeypatch.setattr("importlib.metadata.version", lambda _, found=found: found)
-        assert f"viser {found}" in refusal(capsys, "studio")
+    for installed, said in (
+        ({}, "viser is not installed; install it with: pip install 'neurosym-pddl[studio]'"),
+        ({"viser": "1.0.30"}, "viser 1.0.30 will not do"),
+        ({"viser": "2.0.0"}, "viser 2.0.0 will not do"),
+    ):
+        monkeypatch.setattr("neurosym.errors._recorded", lambda _, installed=installed: installed)
+        assert said in refusal(capsys, "studio")
 
 
 @pytest.mark.parametrize(
@@ -77,3 +75,10 @@ def test_extra_that_is_missing_or_of_another_version_is_named(capsys, monkeypatc
 def test_bad_input_is_one_sentence(capsys, arguments, said, monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     assert said in refusal(capsys, "studio", *arguments)
+
+
+def test_run_is_written_as_one_page(tmp_path, capsys):
+    page = tmp_path / "run.html"
+    assert neurosym("replay", SHIPPED, "task-03.fast-downward", "--page", page) == 0
+    assert f"wrote {page}" in capsys.readouterr().out
+    assert page.read_text().rstrip().endswith("</html>")

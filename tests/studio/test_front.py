@@ -30,32 +30,21 @@ class Inner(BaseHTTPRequestHandler):
         """Say nothing."""
 
 
-class Pages:
-    """Pages that are all served in one place, so many at most."""
-
-    def __init__(self, port: int, most: int):
-        self.port, self.most, self.open = port, most, []
-
-    def open_page(self) -> str:
-        """Make a page."""
-        if len(self.open) == self.most:
-            raise InvalidValue("There is no room for <another> page.")
-        self.open.append(f"page{len(self.open) + 1}")
-        return self.open[-1]
-
-    def port_of(self, page: str) -> int | None:
-        """Say where it is."""
-        return self.port if page in self.open else None
-
-
 @contextmanager
-def door(host: str = "127.0.0.1", most: int = 9) -> Iterator[tuple[Front, Pages]]:
-    inner = HTTPServer(("127.0.0.1", 0), Inner)
+def door(host: str = "127.0.0.1", most: int = 9, port: int = 0) -> Iterator[tuple[Front, list[str]]]:
+    """A door, and the pages behind it, which are all served in one place, so many at most."""
+    inner, pages = HTTPServer(("127.0.0.1", 0), Inner), list[str]()
+
+    def open_page() -> str:
+        if len(pages) == most:
+            raise InvalidValue("There is no room for <another> page.")
+        pages.append(f"page{len(pages) + 1}")
+        return pages[-1]
+
     threading.Thread(target=inner.serve_forever, daemon=True).start()
-    pages = Pages(inner.server_port, most)
-    front = Front(pages.open_page, pages.port_of, host)
-    front.start()
+    front = Front(open_page, lambda page: inner.server_port if page in pages else None, host, port)
     try:
+        front.start()
         yield front, pages
     finally:
         front.close()
@@ -66,17 +55,13 @@ def door(host: str = "127.0.0.1", most: int = 9) -> Iterator[tuple[Front, Pages]
 def asked(front: Front, path: str, **headers: str) -> tuple[int, dict[str, str], str]:
     """What is answered to a request: status, headers, text."""
     connection = http.client.HTTPConnection("127.0.0.1", front.port, timeout=10)
-    connection.request(
-        "GET", path, headers={name.replace("_", "-"): value for name, value in headers.items()}
-    )
+    named = {name.replace("_", "-"): value for name, value in headers.items()}
+    connection.request("GET", path, headers=named)
     answer = connection.getresponse()
-    found = (
-        answer.status,
-        {name.lower(): value for name, value in answer.getheaders()},
-        answer.read().decode(),
-    )
+    found = {name.lower(): value for name, value in answer.getheaders()}
+    text = answer.read().decode()
     connection.close()
-    return found
+    return answer.status, found, text
 
 
 def test_new_browser_gets_a_page_and_the_same_one_again():
@@ -87,11 +72,11 @@ def test_new_browser_gets_a_page_and_the_same_one_again():
         assert "HttpOnly" in headers["set-cookie"]
         assert asked(front, "/", Cookie=cookie)[1]["location"] == "/page/page1/"
         assert asked(front, "/")[1]["location"] == "/page/page2/"
-        assert len(pages.open) == 2
+        assert len(pages) == 2
 
 
-def test_page_is_asked_for_what_stands_after_its_name_and_an_unknown_one_is_said_with_a_way_back():
-    with door() as (front, _):
+def test_page_is_asked_for_what_stands_after_its_name_and_others_are_said_with_a_way_back():
+    with door(most=1) as (front, _):
         asked(front, "/")
         status, _, text = asked(front, "/page/page1/some/file.js?x=1", X_Mine="kept")
         assert (status, text) == (200, "/some/file.js close kept")
@@ -99,10 +84,6 @@ def test_page_is_asked_for_what_stands_after_its_name_and_an_unknown_one_is_said
         status, _, text = asked(front, "/page/none/")
         assert status == 404
         assert 'href="/"' in text
-
-
-def test_page_that_cannot_be_is_told_and_never_as_markup():
-    with door(most=0) as (front, _):
         status, _, text = asked(front, "/")
         assert status == 400
         assert "&lt;another&gt;" in text
@@ -118,25 +99,19 @@ def test_requests_of_other_sites_and_what_is_no_request_are_refused():
                 way.shutdown(socket.SHUT_WR)
                 answer = way.makefile("rb").read()
             assert answer == b"" or answer.startswith(b"HTTP/1.1 400")
-        assert pages.open == []
+        assert pages == []
         assert asked(front, "/")[0] == 303
+        with pytest.raises(CannotStart, match="in use"), door(port=front.port):
+            pass
 
 
 def test_other_machines_must_know_the_token():
+    assert all(map(is_loopback, ("127.0.0.1", "localhost", "::1", "127.9.9.9")))
+    assert not any(map(is_loopback, ("0.0.0.0", "192.168.0.2", "example.org", "")))
     with door("0.0.0.0") as (front, pages):
         assert asked(front, "/")[0] == 403
         assert asked(front, "/?token=wrong")[0] == 403
         status, headers, _ = asked(front, f"/?token={front.token}")
         assert (status, headers["location"]) == (303, "/page/page1/")
         assert asked(front, "/", Cookie=f"neurosym-token={front.token}")[0] == 303
-        assert len(pages.open) == 2
-
-
-def test_taken_port_is_one_sentence():
-    with door() as (front, pages), pytest.raises(CannotStart, match="in use"):
-        Front(pages.open_page, pages.port_of, "127.0.0.1", front.port).start()
-
-
-def test_this_machine_is_known_by_its_names():
-    assert all(map(is_loopback, ("127.0.0.1", "localhost", "::1", "127.9.9.9")))
-    assert not any(map(is_loopback, ("0.0.0.0", "192.168.0.2", "example.org", "")))
+        assert len(pages) == 2

@@ -1,17 +1,40 @@
 """What a page does, without a browser: set the table, plan, run, nudge, stop, and take everything away."""
 
+import asyncio
 from pathlib import Path
+from types import SimpleNamespace
 
 import msgspec
+import numpy as np
 import pytest
+import viser
 from command_line import neurosym
 from places import ROOT, SHIPPED
-from studio_pages import planned, ran, session_on, shipped_library, toy_library, wait_for, workers
+from studio_pages import (
+    planned,
+    ran,
+    relations_library,
+    session_on,
+    shipped_library,
+    toy_library,
+    wait_for,
+    workers,
+)
+from toy_relations import LIE, REST, scene, sorting, tower, tower_at_place
 
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
-from neurosym.studio import scene_editor
-from neurosym.studio.desk import promises_for
+from neurosym.studio.page import Page
+from neurosym.studio.scene_editor import with_goal
+from neurosym.studio.server import PANELS
+
+CUBE = (0.05, 0.05, 0.05, 0.0)
+PLAIN = Problem(
+    "plain",
+    scene(("cube", 0.5, -0.2), ("block", 0.6, 0.1), ("tray", 0.8, -0.1), ("cube", 0.8, 0.2)),
+    {},
+    0.02,
+)
 
 
 @pytest.fixture(scope="module")
@@ -33,15 +56,6 @@ def tabletop(both):
         yield session
 
 
-def test_change_of_the_table_is_told_and_what_was_planned_is_forgotten(toy):
-    planned(toy, "counting")
-    topics = []
-    toy.listen(topics.append)
-    toy.aim("item-01", 0.6, 0.08)
-    assert toy.plans == {}
-    assert {"place", "plan"} <= set(topics)
-
-
 def test_what_cannot_be_done_is_said_and_changes_nothing(toy):
     before = toy.problem
     toy.load("no-such-problem")
@@ -55,26 +69,29 @@ def test_what_cannot_be_done_is_said_and_changes_nothing(toy):
     assert toy.complaints() == {"goal item-01": "the goal of item-01 is off the table"}
     toy.aim("item-01", 0.8, 0.1)
     assert "knows no goals like item-01 on item-02" in toy.complaints()["goal item-01"]
+    toy.plan("no-such-planner")
+    wait_for(lambda: not toy.planning)
+    assert toy.word.is_bad
+    assert "no-such-planner" in toy.word.text
+    toy.remove_goal("item-01")
+    toy.plan("counting")
+    assert "No object has a goal" in toy.word.text
+    assert not toy.planning
 
 
 def test_objects_are_added_where_there_is_room_and_taken_away(toy):
     while len(toy.problem.objects) < 8:
-        toy.add((0.05, 0.05, 0.05, 0.0))
+        toy.add(CUBE)
     assert toy.complaints() == {}
-    toy.add((0.05, 0.05, 0.05, 0.0))
+    toy.add(CUBE)
     assert (len(toy.problem.objects), toy.word.is_bad) == (8, True)
-    toy.remove("item-03")
-    assert "item-03" not in toy.problem.object_names
-
-
-def test_object_without_a_network_is_of_the_likest_category(toy):
-    toy.resize("item-01", (0.06, 0.05, 0.05, 0.0))
+    toy.resize("item-01", (0.06, 0.05, 0.05, 0.0))  # without a network, it is of the likest category
     assert toy.problem.object_named("item-01").category == "00"
-    assert toy.library.margins((0.06, 0.05, 0.05, 0.0)) == ()
+    assert toy.library.margins(toy.problem.objects[0].features) == ()
     assert "effect_model" in toy.library.damage[0]
 
 
-def test_plans_of_two_planners_are_kept_beside_each_other_and_one_is_run(toy):
+def test_plans_of_two_planners_are_kept_until_the_table_changes_and_one_is_run(toy):
     planned(toy, "counting")
     planned(toy, "fast-downward")
     assert list(toy.plans) == ["counting", "fast-downward"]
@@ -86,40 +103,32 @@ def test_plans_of_two_planners_are_kept_beside_each_other_and_one_is_run(toy):
     assert toy.running.run.reached
     assert [record.as_promised for record in toy.running.records] == [True, True]
     assert not toy.word.is_bad
-
-
-def test_what_cannot_be_planned_is_said(toy):
-    toy.plan("no-such-planner")
-    wait_for(lambda: not toy.is_planning)
-    assert toy.word.is_bad
-    assert "no-such-planner" in toy.word.text
-    toy.remove_goal("item-01")
-    toy.plan("counting")
-    assert "No object has a goal" in toy.word.text
-    assert not toy.is_planning
+    topics = []
+    toy.listen(topics.append)
+    toy.aim("item-01", 0.6, 0.08)
+    assert (toy.plans, toy.running.run) == ({}, None)
+    assert {"place", "plan", "run"} <= set(topics)
 
 
 def waiting(session):
     """Begin a run that waits before its first step."""
     planned(session, "counting")
-    session.running.set_speed(0.0)
-    session.running.pause()
+    session.running.steer(speed=0.0, is_paused=True)
     session.running.begin()
-    wait_for(lambda: session.running.number == 1)
+    wait_for(lambda: session.running.moment)
     return session
 
 
 def test_goal_out_of_reach_can_be_exchanged_for_the_nearest(toy):
     toy.aim("item-01", 0.45, 0.0)
     planned(toy, "counting")
-    shown = toy.plan_shown
-    assert shown.record.status is not PlanStatus.SOLVED
+    assert toy.plan_shown.record.status is not PlanStatus.SOLVED
     toy.aim("item-01", 0.665, 0.16)
     toy.set_tolerance(0.01)
     planned(toy, "counting")
     assert toy.plan_shown.record.status is PlanStatus.NEAREST
     toy.accept_nearest()
-    wait_for(lambda: not toy.is_planning and toy.plans)
+    wait_for(lambda: not toy.planning and toy.plans)
     assert toy.plan_shown.record.status is PlanStatus.SOLVED
     assert toy.problem.goals["item-01"] == pytest.approx((0.68, 0.16, 0.025), abs=1e-6)
 
@@ -127,9 +136,9 @@ def test_goal_out_of_reach_can_be_exchanged_for_the_nearest(toy):
 def test_nudge_during_a_run_calls_for_a_new_plan_with_its_reason(toy):
     waiting(toy)
     toy.move("item-01", 0.6, -0.08)
-    wait_for(lambda: toy.running.rest.positions[0, 1] < 0)
+    wait_for(lambda: toy.running.moment.scene.positions[0, 1] < 0)
     assert toy.running.replannings == []
-    toy.running.resume()
+    toy.running.steer(is_paused=False)
     wait_for(lambda: not toy.running.is_active)
     run = toy.running.run
     assert run.reached
@@ -140,11 +149,11 @@ def test_nudge_during_a_run_calls_for_a_new_plan_with_its_reason(toy):
 def test_run_goes_step_by_step_and_the_table_is_not_set_meanwhile(toy):
     before = waiting(toy).problem
     toy.aim("item-01", 0.5, 0.0)
-    toy.add((0.05, 0.05, 0.05, 0.0))
+    toy.add(CUBE)
     toy.move("item-01", 5.0, 0.0)
     assert "off the table" in toy.word.text
     assert (toy.problem, toy.running.records) == (before, [])
-    toy.running.one_step()
+    toy.running.steer(is_paused=True, one_step=True)
     wait_for(lambda: len(toy.running.records) == 1)
     toy.running.stop()
     wait_for(lambda: not toy.running.is_active)
@@ -154,9 +163,9 @@ def test_run_goes_step_by_step_and_the_table_is_not_set_meanwhile(toy):
 def test_planner_that_is_stopped_gives_way_to_the_next(tabletop):
     tabletop.load("task-20")
     tabletop.plan("bfs-operators")
-    wait_for(lambda: tabletop._planning is None or tabletop._planning._child is not None)
+    wait_for(lambda: tabletop.planning is None or tabletop.planning.process)
     tabletop.stop_planning()
-    wait_for(lambda: not tabletop.is_planning)
+    wait_for(lambda: not tabletop.planning)
     tabletop.load("task-02")
     planned(tabletop, "fast-downward")
     assert tabletop.plan_shown.plan_file
@@ -167,17 +176,17 @@ def test_record_is_byte_for_byte_what_the_command_line_writes(tabletop, tmp_path
     monkeypatch.chdir(tmp_path)
     name = "task-02"
     assert neurosym("plan", "tabletop", name) in (0, 3)
-    plan = f"tabletop/plans/{name}.fast-downward.plan"
-    assert neurosym("execute", "tabletop", name, plan) in (0, 3)
+    plan, run = f"plans/{name}.fast-downward.plan", f"runs/{name}.fast-downward.run.json"
+    assert neurosym("execute", "tabletop", name, f"tabletop/{plan}") in (0, 3)
     tabletop.load(name)
     tabletop.save()
     assert "never written into" in tabletop.word.text
     planned(tabletop, "fast-downward")
-    assert (tabletop.room.path / tabletop.plan_shown.plan_file).read_text() == Path(plan).read_text()
+    assert tabletop.plan_shown.plan_file == plan
     ran(tabletop)
     assert tabletop.running.seen
-    record = (tabletop.room.path / tabletop.running.file).read_bytes()
-    assert record == (tmp_path / f"tabletop/runs/{name}.fast-downward.run.json").read_bytes()
+    for file in (plan, run):
+        assert (tabletop.room / file).read_bytes() == (tmp_path / "tabletop" / file).read_bytes()
     assert {path: path.stat().st_mtime_ns for path in SHIPPED.rglob("*")} == before
 
 
@@ -200,24 +209,13 @@ def test_tasks_are_drawn_as_the_command_line_draws_them(both, tmp_path, monkeypa
         assert "valid: 1 to 8" in session.word.text
 
 
-def test_motions_and_interactions_and_runs_happen_on_the_page(tabletop):
+def test_run_is_replayed_on_the_page(tabletop):
     running = tabletop.running
-    running.set_speed(0.0)
+    running.steer(speed=0.0)
     running.replay("task-03.fast-downward")
     wait_for(lambda: not running.is_active)
-    assert running.course in ("same bytes", "within rounding")
+    assert "; the record says the same" in tabletop.word.text
     assert running.seen
-    tabletop.load("task-02")
-    item = tabletop.problem.objects[0]
-    promise = next(one for one in promises_for(item, tabletop.library) if one.lifts)
-    running.perform(item.name, tabletop.library.grounding.primitive_of(promise.operator).action)
-    wait_for(lambda: not running.is_active)
-    assert running.outcome.kind == "held"
-    running.recall(int(tabletop.library.interactions.held.argmax()))
-    wait_for(lambda: not running.is_active)
-    assert running.outcome.kind == "held"
-    assert tabletop.word.text.startswith("it ended held: ")
-    assert "; the effect is" in tabletop.word.text
 
 
 def test_scene_is_saved_opened_or_refused_and_a_closed_page_leaves_nothing_behind(tmp_path, both):
@@ -226,13 +224,127 @@ def test_scene_is_saved_opened_or_refused_and_a_closed_page_leaves_nothing_behin
         toy.rename("further")
         toy.save()
         assert toy.library.load_problem("further").goals == toy.problem.goals
-        other = scene_editor.with_goal(toy.problem, "item-02", 0.5, -0.2)
+        other = with_goal(toy.problem, "item-02", 0.5, -0.2)
         toy.open_file(msgspec.json.encode(other))
         assert toy.problem == other
         for content in (b"", b"{}", b"\xff" * 50, b"[" * 10_000, b" " * 2_000_000):
             toy.open_file(content)
             assert toy.word.is_bad
             assert toy.problem == other
-        room = toy.room.path
+        room = toy.room
         assert room.is_dir()
     assert not room.exists()
+
+
+# In domains with relations and with places: ghosts are dropped on objects
+
+
+@pytest.fixture
+def stacks(tmp_path: Path, both):
+    library = relations_library(tmp_path / "stacks", sorting(), tower(), tower_at_place())
+    with session_on(library, both) as session:
+        session.put(PLAIN)
+        yield session
+
+
+def test_goal_by_relation_is_chosen_without_a_mouse_kept_and_removed(stacks):
+    goal = stacks.goals_for("item-01")[0]
+    stacks.relate(*goal)
+    stacks.relate("item-02", "item-01", REST)
+    assert "circle" in stacks.word.text
+    assert stacks.problem.related == (goal,)
+    content = msgspec.json.encode(stacks.problem)
+    stacks.rename("kept")
+    stacks.save()
+    for bring in (lambda: stacks.load("kept"), lambda: stacks.open_file(content)):
+        stacks.put(PLAIN)
+        bring()
+        assert stacks.problem.related == (goal,)
+    stacks.remove("item-02")  # which it is about
+    assert stacks.problem.related == ()
+
+
+def test_objects_are_dragged_with_what_they_bear_and_down_from_what_bears_them(stacks):
+    stacks.load("sorting")
+    stacks.move("item-03", 0.5, -0.1)
+    assert [item.position[:2] for item in stacks.problem.objects[:3]] == [(0.5, -0.1)] * 3
+    stacks.move("item-02", 0.6, 0.2)
+    assert stacks.problem.object_named("item-02").position == (0.6, 0.2, 0.025)
+    assert stacks.problem.object_named("item-01").position == (0.6, 0.2, 0.075)
+    before = stacks.problem
+    stacks.remove("item-02")
+    assert stacks.word.text == "item-02 bears item-01; drag that away first."
+    stacks.resize("item-02", (0.06, 0.06, 0.06, 0.0))
+    assert stacks.problem == before
+    stacks.resize("item-01", (0.05, 0.05, 0.03, 0.0))
+    assert stacks.problem.object_named("item-01").position == pytest.approx((0.6, 0.2, 0.065))
+    assert stacks.complaints() == {}
+
+
+def test_goals_by_relation_are_planned_for_and_reached(stacks):
+    stacks.load("tower-at-place")
+    planned(stacks, "fast-downward")
+    assert stacks.plan_shown.record.status is PlanStatus.SOLVED, stacks.word.text
+    ran(stacks)
+    assert stacks.running.run.reached, stacks.running.run.reason
+    assert stacks.running.run.unmet == ()
+
+
+@pytest.fixture
+def page(stacks):
+    """A page that nobody looks at."""
+    server = viser.ViserServer("127.0.0.1", 0, verbose=False)
+    opened = Page(server, stacks, PANELS)
+    yield opened
+    opened.close()
+    server.stop()
+
+
+def drag(page: Page, name: str, *to: tuple[float, float]) -> None:
+    """Drag the ghost of an object by what is on the table below its knob, as a window tells it."""
+    x, y, _ = page.session.ghosts()[name]
+    camera, hear = SimpleNamespace(position=np.array([x, y, 2.0])), page._grabbed("goal", name)
+    phases = ["start", *["update"] * (len(to) - 1), "end"]
+    for phase, at in zip(phases, [(x, y), *to], strict=True):
+        event = SimpleNamespace(client=SimpleNamespace(camera=camera), phase=phase)
+        event.start_position, event.end_position = (x, y, 0.0), (*at, 0.0)
+        asyncio.run(hear(event))
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_ghost_is_dragged_from_the_table_onto_an_object_and_off_again(page):
+    session = page.session
+    session.add_goal("item-01")
+    drag(page, "item-01", (0.55, 0.15), (0.61, 0.1))
+    assert session.problem.related == (("item-01", "item-02", REST),)
+    assert session.problem.goals == {}
+    assert session.word.text == f"goal: item-01 {REST} item-02"
+    assert session.ghosts()["item-01"] == pytest.approx((0.6, 0.1, 0.075))
+    session.add_goal("item-04")
+    drag(page, "item-04", (0.65, 0.15), (0.6, 0.1))  # the ghost of item-01 is uppermost there
+    assert session.problem.related[1] == ("item-04", "item-01", REST)
+    assert session.complaints() == {}
+    session.remove_goal("item-04")
+    drag(page, "item-01", (0.7, 0.1), (0.8, -0.1))
+    assert session.problem.related == (("item-01", "item-03", LIE),)
+    drag(page, "item-01", (0.7, 0.05), (0.5, 0.2))
+    assert session.problem.related == ()
+    assert session.problem.goals["item-01"] == pytest.approx((0.5, 0.2, 0.025))
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_drop_that_nothing_leads_to_is_said_and_the_goal_is_as_before(page):
+    session = page.session
+    session.aim("item-03", 0.8, 0.05)
+    before = session.problem
+    drag(page, "item-03", (0.7, 0.1), (0.6, 0.1))
+    assert session.problem == before
+    assert session.word == (
+        "nothing puts item-03 on or into item-02; nothing puts item-03 on or into any other object.",
+        True,
+    )
+    session.put(PLAIN)
+    session.relate("item-01", "item-02", REST)
+    session.aim("item-02", 0.5, 0.2)
+    drag(page, "item-02", (0.5, 0.0), (0.5, -0.2))  # on what shall rest on it
+    assert session.problem.goals["item-02"] == pytest.approx((0.5, -0.2, 0.025))

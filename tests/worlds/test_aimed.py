@@ -7,7 +7,6 @@ import pytest
 import toy_places
 import toy_relations
 
-from neurosym.data.interactions import Interactions
 from neurosym.exploration.curiosity import LearningConfig
 from neurosym.exploration.loop import ExplorationConfig, explore
 from neurosym.sim.tabletop import Tabletop
@@ -31,24 +30,16 @@ from neurosym.worlds.aims import (
     taken,
 )
 from neurosym.worlds.toy import make_world
-from neurosym.worlds.toy_relations import make_world as make_pairs
+from neurosym.worlds.toy_relations import ToyRelations
 
 GRASP = np.array([0, 0, 0, 1.0, 0, 0, 0, 0.0, 0, 0, 0, 0.0])
 PUCK = (0.05, 0.05, 0.04, 0.0)
 
 
-def explored(workers=1, steps=96, strategy="disagreement", factory=make_world) -> Interactions:
-    learning = LearningConfig(epochs=1, ensemble=2, ensemble_hidden=16)
-    config = ExplorationConfig(candidates=20, block=64, learning=learning)
-    return explore(
-        AimedFactory(factory), steps=steps, strategy=strategy, seed=3, workers=workers, config=config
-    )
-
-
 @pytest.mark.parametrize("world", [make_world(), Tabletop()])
 def test_places_lie_anywhere_on_the_table_as_far_from_its_edge_as_asked(world):
     for margin in (0.0, 0.1):
-        drawn = [Aimed(world, margin).sample_scene(np.random.default_rng(n), 1) for n in range(300)]
+        drawn = [Aimed(world, margin).sample_scene(np.random.default_rng(n), 1) for n in range(100)]
         spots = np.array([scene.reference.centre[:2] for scene in drawn])
         low, high = np.array([world.table.x, world.table.y]).T
         assert np.all((spots >= low + margin) & (spots <= high - margin))
@@ -68,7 +59,8 @@ def test_actions_are_aimed_at_the_place_of_their_scene():
 
 
 def test_data_say_where_objects_end_relative_to_the_place_and_whether_they_were_carried():
-    data, other = (explored(workers) for workers in (1, 2))
+    options = {"steps": 96, "strategy": "random", "seed": 3, "config": SMALL}
+    data, other = (explore(AimedFactory(make_world), workers=workers, **options) for workers in (1, 2))
     assert all(data.columns[name].tobytes() == other.columns[name].tobytes() for name in data.columns)
     assert data.effects.shape == (96, PLACE_AXES)
     carried = data.effects[:, 3] == 1
@@ -81,7 +73,7 @@ def test_data_say_where_objects_end_relative_to_the_place_and_whether_they_were_
     np.testing.assert_allclose(data.effects[carried, :2], by[carried], atol=1e-6)
 
 
-FACTORY = RelatedFactory(make_pairs)
+FACTORY = RelatedFactory(ToyRelations)
 CARRY = np.array(toy_relations.CARRY, dtype=float)
 SMALL = ExplorationConfig(
     candidates=8, block=16, learning=LearningConfig(epochs=1, ensemble=2, ensemble_hidden=16)
@@ -93,14 +85,11 @@ def stacked() -> RelatedScene:
     return as_pair(toy_relations.tower().scene())
 
 
-def test_pair_is_shown_as_one_thing_with_the_features_of_both():
+def test_pair_is_shown_as_one_thing_and_actions_are_aimed_at_its_second_object():
     pair = stacked()
     np.testing.assert_array_equal(pair.features, [[*toy_relations.CUBE, *toy_relations.BLOCK]])
     assert (len(pair), len(pair.whole)) == (1, 4)
     assert len(FACTORY().feature_names) == 8
-
-
-def test_actions_are_aimed_at_the_second_object_of_a_pair():
     outcome = FACTORY().interact(stacked(), CARRY, 0)
     assert outcome.reference == OtherObject(1)
     assert outcome.carried

@@ -1,16 +1,15 @@
 """Worlds as Gymnasium environments: they keep its rules, and report what interactions do."""
 
-import subprocess
-import sys
 from functools import partial
 
 import gymnasium
 import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
+from standing import boxes
 
 from neurosym.errors import InvalidValue, InvalidWorld, UnknownChoice
-from neurosym.world import REQUIRED, Place
+from neurosym.world import Place
 from neurosym.worlds.gymnasium_env import MOST_STEPS, WorldEnv
 from neurosym.worlds.toy import ToyWorld, make_world
 
@@ -22,25 +21,13 @@ unbounded = pytest.mark.filterwarnings(r"ignore:.*A Box observation space m\w+ v
 
 def scene_of_pucks(objects: int = 2):
     """Narrow solid pucks in the middle of the table, which can be grasped and pushed."""
-    scene = make_world().sample_scene(np.random.default_rng(0), objects)
-    scene.features[:] = [0.05, 0.05, 0.04, 0.0]
-    scene.positions[:, 0] = 0.7
-    scene.positions[:, 1] = 0.2 * np.arange(objects)
-    scene.positions[:, 2] = 0.02
-    return scene
+    return boxes(*((0.05, 0.05, 0.04, 0.0, 0.7, 0.2 * number) for number in range(objects)))
 
 
 @unbounded
 @pytest.mark.parametrize(("name", "objects"), [("Toy", 3), ("Tabletop", 1)])
 def test_environment_keeps_the_rules_of_gymnasium(name, objects):
     check_env(gymnasium.make(f"neurosym/{name}-v0", objects=objects).unwrapped)
-
-
-def test_environment_is_found_by_name():
-    code = "import gymnasium; env = gymnasium.make('neurosym.worlds.gymnasium_env:neurosym/Toy-v0')"
-    typed = [sys.executable, "-W", "error", "-c", f"{code}; print(env.reset(seed=0)[1])"]
-    output = subprocess.run(typed, capture_output=True, text=True)
-    assert output.stdout.strip() == "{'target': 0}", output.stderr
 
 
 def test_reward_is_how_far_the_target_was_moved_at_the_end_of_the_rise():
@@ -92,37 +79,25 @@ def test_what_an_environment_returns_is_the_callers_to_change():
     assert scene.positions[0, 0] == 0.7
 
 
-def test_picture_shows_the_present_scene_or_the_last_one_filmed():
-    class Filmed:
-        def __init__(self):
-            self._world = make_world()
-            for name in REQUIRED:  # which newer Pythons look for without `__getattr__`
-                setattr(self, name, getattr(self._world, name))
-
-    env = WorldEnv("toy", render_mode="rgb_array")
-    env.reset(options={"scene": scene_of_pucks(1)})
+def test_picture_shows_the_present_scene_if_it_is_asked_for():
+    env, blind = WorldEnv("toy", render_mode="rgb_array"), WorldEnv("toy")
+    for one in (env, blind):
+        one.reset(options={"scene": scene_of_pucks(1)})
     before = env.render()
     assert (before.dtype, before.ndim) == (np.uint8, 3)
     env.step(PUSH)
     assert np.any(env.render() != before)
-    filmed, blind = WorldEnv(Filmed, render_mode="rgb_array"), WorldEnv("toy")
-    for env in (filmed, blind):
-        env.reset(seed=0)
-        assert env.render() is None
-    filmed.step(PUSH)
-    assert filmed.render().ndim == 3
+    assert blind.render() is None
 
 
 @pytest.mark.parametrize(
     ("call", "message"),
     [
         ({"target": 2}, "target = 2 must be one of the objects 0 to 1"),
-        ({"target": -1}, "target = -1"),
         ({"goal": 1}, "no reset option 'goal'; valid: reference, scene, target"),
         ({"reference": (0.5, 0.0)}, "reference .* a Place or an OtherObject"),
         ({"scene": scene_of_pucks(3)}, "has 3 objects; this environment takes 2"),
         (lambda: WorldEnv("moon"), "no world 'moon'"),
-        (lambda: WorldEnv(dict), "lacks name"),
         (lambda: WorldEnv("toy", objects=0), "objects = 0 must be at least 1"),
         (lambda: WorldEnv("toy", render_mode="human"), "no render mode 'human'; valid: rgb_array"),
         (lambda: WorldEnv("toy").step(np.zeros(12)), "reset"),

@@ -3,16 +3,13 @@
 import gc
 import re
 import shutil
-import signal
-import subprocess
 import sys
-import time
 from functools import partial
 from pathlib import Path
 
 import bad_worlds
 import pytest
-from command_line import neurosym, refusal
+from command_line import neurosym
 
 from neurosym import draw_problem, explore
 from neurosym.errors import InvalidWorld
@@ -28,17 +25,16 @@ SAID = {
     "leaving": r"ends the program in {} \(SystemExit: 3\); valid: an error",
     "gone": "ends its process with exit code 7 in {}",
     "killed": r"has its process killed by SIGKILL \(by somebody, or for want of memory\) in {}",
-    "crashed": "has its process killed by SIGSEGV in {}",
-    "hanging": "has not come back from {} for 1 s",
+    "hanging": "has not come back for 1 s from {}",
     "nothing": "gives a NoneType from interact; valid: an Outcome",
     "nan": "gives positions in {} that are not finite floats",
     "other target": "gives the target 3 when asked to act on object 0",
     "odd kind": "gives outcome.disturbed = .*vanished.*valid: pairs of a bystander and one of moved, toppled",
 }
 DEEDS = [
-    *((deed, "interact", 1) for deed in SAID if deed != "nan"),
-    *((deed, "sample_scene", 1) for deed in ("raising", "gone", "nan")),
-    *((deed, "interact", 2) for deed in ("raising", "gone", "hanging")),
+    *((deed, "interact", 1) for deed in SAID if deed not in ("nan", "surprising")),
+    *((deed, "sample_scene", 1) for deed in ("gone", "nan")),
+    *((deed, "interact", 2) for deed in ("gone", "hanging")),
 ]
 
 
@@ -118,7 +114,6 @@ def commands(folder):
         "new-problem": ["new-problem", folder],
         "execute": ["execute", folder, problem, plan],
         "compare": ["compare", folder, "--tasks", 2, "--planners", "counting", "--workers", 1],
-        "evaluate": ["evaluate", folder],
     }
 
 
@@ -126,7 +121,7 @@ def commands(folder):
     ("command", "deed"),
     [
         *((command, "raising") for command in commands(Path("folder"))),
-        *((command, "gone") for command in ("explore", "distill", "execute")),
+        ("execute", "gone"),
     ],
 )
 def test_commands_refuse_a_bad_world_in_one_sentence(here, folder, command, deed, capsys):
@@ -141,32 +136,10 @@ def test_commands_refuse_a_bad_world_in_one_sentence(here, folder, command, deed
     assert command != "execute" or "(in step 1)" in said
 
 
-def test_a_module_that_ends_its_process_when_imported_is_told(here, capsys):
-    (here / "gone.py").write_text("import os\nos._exit(0)\n")
-    said = refusal(capsys, "init", "mine", "--world", "gone:make")
-    assert "The world 'gone:make' ends its process with exit code 0 in a first trial." in said
-
-
 def test_no_process_is_left(here):
     made = factory(here)
-    number = made().process.child.process.pid
+    number = made().process.pid
     assert Path(f"/proc/{number}").exists()
     del made
     gc.collect()
     assert not Path(f"/proc/{number}").exists()
-
-
-def test_a_world_ends_with_the_process_that_asks_it(here):
-    program = """
-import os, signal
-from pathlib import Path
-from neurosym.worlds.own_world import OwnFactory
-print(OwnFactory("bad_worlds:make", {}, Path("domain"))().process.child.process.pid, flush=True)
-os.kill(os.getpid(), signal.SIGKILL)
-"""
-    ended = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)
-    assert ended.returncode == -signal.SIGKILL
-    end = time.monotonic() + 20
-    while Path(f"/proc/{int(ended.stdout)}").exists() and time.monotonic() < end:
-        time.sleep(0.05)
-    assert not Path(f"/proc/{int(ended.stdout)}").exists()

@@ -1,4 +1,4 @@
-"""The toy world keeps the rules written at its head."""
+"""The toy worlds keep the rules written at their heads."""
 
 import pickle
 
@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from neurosym.errors import InvalidValue
-from neurosym.world import Place, Scene, Table
+from neurosym.world import OtherObject, Place, Scene, Table
 from neurosym.worlds.toy import ToyConfig, ToyWorld, make_world
+from neurosym.worlds.toy_relations import WALL, ToyRelations, let_down, loads_on
 
 SMALL, WIDE, HOLLOW, LONG, LONG_WIDE = (
     (0.05, 0.05, 0.04, 0.0),
@@ -102,8 +103,7 @@ def test_sampled_objects_do_not_overlap_stand_on_the_table_and_are_those_of_thei
     ("call", "said"),
     [
         (lambda: WORLD.sample_scene(np.random.default_rng(0), 200), "do not fit"),
-        (lambda: WORLD.interact(scene_of(SMALL), np.zeros(5), 0), "shape"),
-        (lambda: WORLD.interact(scene_of(SMALL), CARRY, 0, reference=Place(0.0, 0.0)), "lies off the table"),
+        (lambda: WORLD.interact(scene_of(SMALL), CARRY, 0, reference=Place(0.0, 0.0)), "off the table"),
         (lambda: ToyConfig(sizes=(0.1, 0.05)), "sizes"),
     ],
 )
@@ -120,3 +120,64 @@ def test_frames_show_the_object_moving_and_the_world_goes_to_other_processes():
     world = make_world(ToyConfig(table=Table(x=(0.0, 2.0), y=(-1.0, 1.0))))
     copy = pickle.loads(pickle.dumps(world))
     assert (type(copy), copy.config) == (ToyWorld, world.config)
+
+
+# With relations
+
+CARRY_TO = action_of(middle=(0, 0, 0, 0.0), last=(0, 0, 0, 0.0))
+CUBE, SLAB, TRAY = (0.05, 0.05, 0.05, 0.0), (0.10, 0.05, 0.04, 0.0), (0.18, 0.18, 0.06, 1.0)
+WIDE = (0.1, 0.1, 0.04, 0.0)
+RELATIONS, ON, DOWN = ToyRelations(), OtherObject(1), Place(0.5, -0.1)
+
+
+def scene(*rows: tuple[tuple[float, ...], float, float, float]) -> Scene:
+    """Objects, each given as its features, where it stands, and at which height."""
+    return Scene(
+        np.array([features for features, *_ in rows]),
+        np.array([(x, y, under + features[2] / 2) for features, x, y, under in rows]),
+        np.tile([0.0, 0.0, 0.0, 1.0], (len(rows), 1)),
+    )
+
+
+def put(before: Scene, target: int, reference: OtherObject | Place = ON, action=CARRY_TO):
+    return RELATIONS.interact(before, action, target, reference=reference)
+
+
+@pytest.mark.parametrize(
+    ("before", "reference", "kind", "end", "contacts"),
+    [
+        (scene((CUBE, 0.5, 0, 0), (SLAB, 0.8, 0.1, 0)), ON, "carried", (0.8, 0.1, 0.065), ((0, 1),)),
+        # a tray does not fit into one of its size, and stands on its rim
+        (scene((TRAY, 0.5, 0, 0), (TRAY, 0.8, 0.1, 0)), ON, "carried", (0.8, 0.1, 0.09), ((0, 1),)),
+        # what is taken from another comes down
+        (scene((CUBE, 0.8, 0.1, 0.04), (SLAB, 0.8, 0.1, 0)), DOWN, "carried", (0.5, -0.1, 0.025), ()),
+        (scene((WIDE, 0.5, 0, 0), (SLAB, 0.8, 0.1, 0)), ON, "missed", (0.5, 0, 0.02), ()),
+    ],
+)
+def test_object_is_put_on_another_or_taken_from_it(before, reference, kind, end, contacts):
+    outcome = put(before, 0, reference)
+    assert (outcome.kind, outcome.contacts) == (kind, contacts)
+    np.testing.assert_allclose(outcome.end.positions[0], end)
+
+
+def test_cube_is_put_on_the_floor_of_a_tray_and_the_next_one_on_it_or_beside_it():
+    outcome = put(scene((CUBE, 0.5, 0.0, 0), (TRAY, 0.8, 0.1, 0), (CUBE, 0.5, 0.2, 0)), 0)
+    assert outcome.end.positions[0, 2] == pytest.approx(WALL + 0.025)
+    assert put(outcome.end, 2).end.positions[2, 2] == pytest.approx(WALL + 0.075)
+    aside = CARRY_TO.copy()
+    aside[9] = 0.05
+    assert put(outcome.end, 2, ON, aside).end.positions[2, 2] == pytest.approx(WALL + 0.025)
+    after = let_down(scene((CUBE, 0.5, 0.0, 0), (CUBE, 0.8, 0.1, 0)), 0, np.array([0.84, 0.1]))
+    np.testing.assert_allclose(after.positions[0], [0.851, 0.1, 0.025])
+
+
+def test_what_rests_on_the_target_goes_along_and_is_said_to_have_moved():
+    before = scene((CUBE, 0.5, 0.0, 0.05), (CUBE, 0.5, 0.0, 0.10), (CUBE, 0.5, 0.0, 0), (SLAB, 0.8, 0.1, 0))
+    assert loads_on(before, 2) == (0, 1)
+    outcome = put(before, 2, OtherObject(3))
+    np.testing.assert_allclose(outcome.end.positions[:3, 2], [0.115, 0.165, 0.065])
+    np.testing.assert_allclose(outcome.end.positions[:3, :2], [[0.8, 0.1]] * 3)
+    assert dict(outcome.disturbed) == {0: "moved", 1: "moved"}
+    pushed = RELATIONS.interact(before, PUSH, 2)
+    moved = pushed.end.positions - pushed.start.positions
+    np.testing.assert_allclose(moved[:3], [[0.08, 0, 0]] * 3, atol=1e-12)

@@ -30,6 +30,8 @@ def test_two_workers_give_the_outcomes_of_one_in_order():
 def test_a_worker_that_dies_ends_the_run_with_a_sentence_and_an_error_reaches_the_caller():
     with pytest.raises(WorkerDied, match="start the command again"):
         list(perform_all(Deadly, some_tasks(5), 2))
+    with pytest.raises(InvalidValue, match="workers = 257 must be at least 1 and at most 256"):
+        list(perform_all(make_world, some_tasks(1), 257))
     task = next(some_tasks(1))
     with pytest.raises(InvalidValue, match="no object 9"):
         list(perform_all(make_world, [Task(task.scene, task.action, target=9)], 2))
@@ -73,9 +75,9 @@ def is_there(process: int) -> bool:
 def test_what_a_worker_cannot_do_first_is_told_by_its_sentence_and_what_it_prints_is_seen(capfd):
     with (
         pytest.raises(InvalidFile, match="not enough memory to read it"),
-        worker_pool(2, refused, ()) as submit,
+        worker_pool(2) as submit,
     ):
-        submit(is_up).result()
+        submit(refused).result()
     assert capfd.readouterr().err == ""
     with worker_pool(1) as submit:
         assert submit(is_up).result() != os.getpid()

@@ -2,10 +2,10 @@
 
 Ten planners from the package index are called as a researcher would who has never heard of neurosym, on
 copies of a printed domain and problem. The table says what each solves, in how much CPU, and whether its
-plans are valid: unified-planning's validator judges them by the printed files. `--features` tries small tasks
-beside, each with one thing of PDDL. Each planner gets an environment of its own, below `--venvs`. What was
-measured is kept below `--work`, and not measured again while neither files nor call change. Writes
-foreign.json and foreign.md.
+plans are valid: unified-planning's validator judges them by the printed files. Each planner
+gets an environment of its own, below `--venvs`. What was measured stays in foreign.json, beside which
+foreign.md is written, and is not measured again while neither files nor call change. What small tasks with
+one thing of PDDL each told of the planners was measured once, and stays there.
 """
 
 import contextlib
@@ -24,14 +24,14 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import tyro
+from unified_planning.io import PDDLReader
+from unified_planning.shortcuts import PlanValidator
 
 from neurosym.errors import listed_briefly
-from neurosym.evaluation.summary import markdown_table
 from neurosym.files import write_atomically
-from neurosym.pddl.compiler import Action, Tree, tree_of
+from neurosym.pddl.compiler import Action, excerpt_for
 from neurosym.planners.unified_planning import validate_pddl
 from neurosym.stages.console import say
-from tools.benchmarks.foreign_calls.features import FEATURES
 from tools.benchmarks.foreign_calls.planners import (
     COMPLAINED,
     PLANNERS,
@@ -41,49 +41,28 @@ from tools.benchmarks.foreign_calls.planners import (
     install,
     steps_in,
 )
-from tools.benchmarks.jobs import as_text, machine
-from tools.benchmarks.places import ROOT
+from tools.benchmarks.jobs import Found, as_text, machine
+from tools.benchmarks.options import RESULTS, ROOT
+from tools.benchmarks.tables import document, table
 
 CACHE = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "neurosym-foreign"
 LIMIT = 60
 MEMORY = 8 << 30
 """How much a planner may address [bytes]."""
-DOMAINS = ("tabletop", "tabletop-paper", "places", "towers")
-EACH = 5
-"""How many problems of each domain are tried."""
-NAMED = ("towers/tower-4-03", "places/row-4-12", "tabletop/task-07")
-"""Problems that are tried besides."""
-OBJECTS = range(1, 9)
-"""With how many objects."""
-
-
-@dataclass(frozen=True, slots=True)
-class Printed:
-    """What a printed domain and its problems are called.
-
-    Attributes:
-        domain: Name of the domain's file.
-        problem: What follows a problem's name.
-        plain: Whether they tell no costs.
-    """
-
-    domain: str
-    problem: str
-    plain: bool = False
-
-
-FILES = (Printed("domain.pddl", ".pddl"), Printed("domain-plain.pddl", ".plain.pddl", plain=True))
-"""The files that are looked for, in this order; planners that take no costs look for plain ones first."""
+PROBLEMS = {
+    "tabletop": "task-01 task-07 task-13 task-15 task-17 task-19",
+    "tabletop-paper": "task-01 task-13 task-15 task-17 task-19",
+    "places": "anywhere-1-01 anywhere-3-08 anywhere-4-13 row-4-12 anywhere-6-18 anywhere-8-19",
+    "towers": "tower-2-01 tower-4-03 anywhere-4-19 unstack-5-14 boxes-6-12 anywhere-8-20",
+}
+"""Of each domain some problems with few objects, and some with many."""
+FILES = (("domain.pddl", ".pddl", False), ("domain-plain.pddl", ".plain.pddl", True))
+"""Files that are looked for: the domain's, what follows a problem's name, and whether they tell no costs."""
 
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """What a planner is given: the texts of a domain and of a problem.
-
-    Attributes:
-        name: What the table calls it.
-        plain: Whether it tells no costs.
-    """
+    """What a planner is given: name, texts of a domain and a problem, and whether they tell no costs."""
 
     name: str
     domain: str
@@ -91,12 +70,7 @@ class Task:
     plain: bool = False
 
     def digest(self, planner: Planner, limit: int) -> str:
-        """Return what stands for the task and a call, as long as neither changes.
-
-        Args:
-            planner: What is called.
-            limit: CPU that it may take [s].
-        """
+        """Return what stands for the task and a call of so long at most [CPU s] while neither changes."""
         all_of_it = "\0".join([self.domain, self.problem, planner.call_text(), str(limit)])
         return hashlib.sha256(all_of_it.encode()).hexdigest()[:16]
 
@@ -105,156 +79,88 @@ def main(
     domains: Annotated[Path, tyro.conf.arg(help="Folder of the domains.")] = ROOT / "domains",
     planners: Annotated[str, tyro.conf.arg(help="Names of planners, with commas; all if empty.")] = "",
     problems: Annotated[
-        str,
-        tyro.conf.arg(help="Problems as domain/name, with commas; some of each domain if empty, none if -."),
+        str, tyro.conf.arg(help="Problems as domain/name, with commas; some of each domain if empty.")
     ] = "",
-    features: Annotated[bool, tyro.conf.arg(help="Try the small tasks, too.")] = False,
     limit: Annotated[int, tyro.conf.arg(help="CPU that a call may take [s].")] = LIMIT,
     venvs: Annotated[Path, tyro.conf.arg(help="Folder for the planners' environments.")] = CACHE / "venvs",
-    work: Annotated[Path, tyro.conf.arg(help="Folder for what was measured.")] = CACHE / "work",
-    output: Annotated[Path, tyro.conf.arg(help="File for the figures; the table is beside it.")] = Path(
-        "docs/results/foreign.json"
-    ),
+    output: Annotated[Path, tyro.conf.arg(help="File for the figures; the table is beside it.")] = RESULTS
+    / "foreign.json",
 ) -> None:
     """Install planners, call them, judge their plans, and write the table and the figures."""
     named = [name for name in planners.split(",") if name] or list(PLANNERS)
     if unknown := [name for name in named if name not in PLANNERS]:
         raise SystemExit(f"There is no planner {unknown[0]}; there are {', '.join(PLANNERS)}.")
-    chosen = [one for one in problems.split(",") if one] or shipped(domains)
-    chosen = [] if problems == "-" else chosen
-    kept = json.loads(output.read_text()) if output.exists() else {}
-    found: dict[str, Any] = kept.get("planners", {})
+    chosen = [one for one in problems.split(",") if one] or [
+        f"{domain}/{name}" for domain, names in PROBLEMS.items() for name in names.split()
+    ]
+    found: dict[str, Any] = json.loads(output.read_text())["planners"] if output.exists() else {}
     for name in named:
         planner = PLANNERS[name]
         refused = install(planner, venvs)
-        one = found.get(name, {}) | {
-            "version": planner.version,
-            "call": planner.told,
-            "not_installed": refused,
-        }
-        found[name] = one
+        about = {"version": planner.version, "call": planner.told, "not_installed": refused}
+        one = found[name] = {"problems": {}} | found.get(name, {}) | about
         if refused:
             say(f"{name} cannot be installed: {refused}")
-            continue
-        words = planner.words(venvs, limit)
-        one["problems"] = still_true(one.get("problems", {}), domains, planner, limit)
-        for task in (task_of(domains, problem, planner.costs) for problem in chosen):
-            one["problems"][task.name] = measured(name, task, words, work, limit)
-        if features:
-            tasks = [Task(title, *each.task()) for title, each in FEATURES.items()]
-            one["features"] = {task.name: measured(name, task, words, work, limit) for task in tasks}
-        one["totals"] = totals(one["problems"].values())
-    found = {name: found[name] for name in PLANNERS if name in found}
-    figures = {"machine": machine(), "limit_cpu_s": limit, "planners": found}
-    write_atomically(output, as_text(figures))
-    write_atomically(output.with_suffix(".md"), page(figures))
+        for task in () if refused else (task_of(domains, problem, planner.costs) for problem in chosen):
+            known = one["problems"].get(task.name)
+            one["problems"][task.name] = measured(planner, task, planner.words(venvs, limit), limit, known)
+            one["totals"] = totals(one["problems"].values())
+            write_results(found, limit, output)
+    write_results(found, limit, output)
     say(f"wrote {output}")
 
 
-def shipped(domains: Path) -> list[str]:
-    """Choose problems of each domain, evenly over how many objects they have.
-
-    Only those with a shipped plan count, where there are any. Of those with as many objects, the first by
-    name counts that was not chosen yet.
-    """
-    chosen = []
-    for domain in DOMAINS:
-        scenes = sorted((domains / domain / "problems").glob("*.scene.json"))
-        left = {path.name.partition(".")[0]: len(json.loads(path.read_text())["objects"]) for path in scenes}
-        left = {
-            name: count for name, count in left.items() if count in OBJECTS and _files(domains / domain, name)
-        }
-        planned = {path.name.partition(".")[0] for path in (domains / domain / "plans").glob("*.plan")}
-        left = {name: count for name, count in left.items() if name in planned or not planned}
-        low, high = min(left.values(), default=0), max(left.values(), default=0)
-        for number in range(min(EACH, len(left))):
-            wanted = low + (high - low) * number / (EACH - 1)
-            name = min(left, key=lambda each: (abs(left[each] - wanted), each))
-            del left[name]
-            chosen.append(f"{domain}/{name}")
-    besides = (
-        one for one in NAMED if one not in chosen and _files(domains / Path(one).parent, Path(one).name)
-    )
-    return [*chosen, *besides]
-
-
-def _files(folder: Path, name: str, costs: bool = True) -> tuple[Path, Path, bool] | None:
-    """Return the printed domain and problem that there are, and whether they tell no costs."""
-    for printed in sorted(FILES, key=lambda each: each.plain == costs):
-        domain, problem = folder / printed.domain, folder / "problems" / f"{name}{printed.problem}"
-        if domain.exists() and problem.exists():
-            return domain, problem, printed.plain
-    return None
+def write_results(found: Mapping[str, Any], limit: int, output: Path) -> None:
+    """Write the figures and the table."""
+    planners = {name: found[name] for name in PLANNERS if name in found}
+    figures = {"machine": machine(), "limit_cpu_s": limit, "planners": planners}
+    write_atomically(output, as_text(figures))
+    write_atomically(output.with_suffix(".md"), page(figures))
 
 
 def task_of(domains: Path, problem: str, costs: bool) -> Task:
-    """Read a printed problem."""
+    """Read a printed problem; for a planner without costs, plain files are preferred."""
     domain, _, name = problem.partition("/")
-    files = _files(domains / domain, name, costs)
-    if files is None:
-        raise SystemExit(f"There is no printed problem {problem} below {domains}.")
-    return Task(problem, files[0].read_text(), files[1].read_text(), files[2])
+    for printed, ending, plain in sorted(FILES, key=lambda each: each[2] == costs):
+        files = domains / domain / printed, domains / domain / "problems" / f"{name}{ending}"
+        if all(path.exists() for path in files):
+            return Task(problem, *(path.read_text() for path in files), plain)
+    raise SystemExit(f"There is no printed problem {problem} below {domains}.")
 
 
-def still_true(kept: Mapping[str, Any], domains: Path, planner: Planner, limit: int) -> dict[str, Any]:
-    """Return what was found earlier of files and calls that have not changed.
-
-    Args:
-        kept: Figures by problem.
-        domains: Folder of the domains.
-        planner: Whose they are.
-        limit: CPU that it may take [s].
-    """
-    true: dict[str, Any] = {}
-    for problem, figures in kept.items():
-        domain, _, name = problem.partition("/")
-        if _files(domains / domain, name, planner.costs):
-            digest = task_of(domains, problem, planner.costs).digest(planner, limit)
-            true |= {problem: figures} if figures["digest"] == digest else {}
-    return true
-
-
-def measured(name: str, task: Task, words: Sequence[str], work: Path, limit: int) -> dict[str, Any]:
-    """Call a planner on a task and judge its plan, or take what was found earlier.
+def measured(
+    planner: Planner, task: Task, words: Sequence[str], limit: int, known: Found | None = None
+) -> Found:
+    """Call a planner on a task and judge its plan, or return what is known of the same call.
 
     Args:
-        name: The planner.
+        planner: The planner.
         task: The task.
         words: Its command line.
-        work: Folder for what was measured.
         limit: CPU that it may take [s].
+        known: What was found earlier, if anything was.
     """
-    digest = task.digest(PLANNERS[name], limit)
-    path = work / f"{digest}.json"
-    if path.exists():
-        found: dict[str, Any] = json.loads(path.read_text())
-        return found
+    digest = task.digest(planner, limit)
+    if known and known["digest"] == digest:
+        return known
     with tempfile.TemporaryDirectory(prefix="neurosym-foreign-") as scratch:
         folder = Path(scratch)
         (folder / "domain.pddl").write_text(task.domain)
         (folder / "problem.pddl").write_text(task.problem)
         cpu, clock, code = called(words, folder, limit)
-        plan = plan_in(folder, PLANNERS[name])
+        plan = plan_in(folder, planner)
         error = error_in(*(_text(folder / each) for each in (COMPLAINED, PRINTED))) or (
             f"exit code {code}, and no plan" if code else "no plan, and no word why"
         )
-    found = {
-        "status": "solved",
-        "cpu_s": round(cpu, 2),
-        "wall_s": round(clock, 2),
-        "digest": digest,
-        **judged(task, plan),
-    }
-    if plan is None:
-        found |= {"status": "limit" if cpu > limit or code is None else "failed", "error": error}
-        found |= {"error": ""} if found["status"] == "limit" else {}
-    elif cpu > limit:
+    spent = {"cpu_s": round(cpu, 2), "wall_s": round(clock, 2)}
+    found = {"status": "solved", **spent, "digest": digest, **judged(task, plan)}
+    if cpu > limit or (plan is None and code is None):
         found |= {"status": "limit"}
+    elif plan is None:
+        found |= {"status": "failed", "error": error}
     elif found["valid"] is False:
         found |= {"status": "wrong", "error": found["judge"]}
-    work.mkdir(parents=True, exist_ok=True)
-    write_atomically(path, as_text(found))
-    say(f"{name}, {task.name}: {found['status']}, {found['cpu_s']} s {found['error']}")
+    say(f"{planner.packages[0]}, {task.name}: {found['status']}, {found['cpu_s']} s {found['error']}")
     return found
 
 
@@ -263,11 +169,6 @@ def called(words: Sequence[str], folder: Path, limit: int) -> tuple[float, float
 
     It is ended, with all that it started, after so much CPU in a process, or twice as long by the clock; its
     exit code is None then, and the CPU that of the processes that had ended.
-
-    Args:
-        words: The command line.
-        folder: Where it is called.
-        limit: The CPU that it may take [s].
     """
     clean = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "VIRTUAL_ENV"))}
     clean |= {"OMP_NUM_THREADS": "1", "HOME": str(folder)}
@@ -286,21 +187,16 @@ def called(words: Sequence[str], folder: Path, limit: int) -> tuple[float, float
         )
         code: int | None = None
         try:
-            code = process.wait(2 * limit)
-        except subprocess.TimeoutExpired:
-            pass
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                code = process.wait(2 * limit)
         finally:
-            _end(process)
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     ended = code in (-signal.SIGKILL, -signal.SIGXCPU)
     return cpu, time.monotonic() - begin, None if ended else code
-
-
-def _end(process: "subprocess.Popen[bytes]") -> None:
-    with contextlib.suppress(ProcessLookupError):
-        os.killpg(process.pid, signal.SIGKILL)
-    process.wait()
 
 
 def _text(path: Path) -> str:
@@ -317,44 +213,23 @@ def judged(task: Task, plan: list[Action] | None) -> dict[str, Any]:
     """Say whether a plan is valid by the printed files, and what it costs."""
     if plan is None:
         return {"plan_length": None, "cost": None, "valid": None, "judge": "", "error": ""}
-    told = {"plan_length": len(plan), "cost": cost_of(task, plan)}
+    told = {"plan_length": len(plan), "cost": None, "error": ""}
     try:
         verdict = validate_pddl(task.domain, task.problem, plan)
     except Exception as error:  # it is not ours, and trips over what it does not know
-        return {**told, "valid": None, "judge": str(error)[:300], "error": ""}
-    return {**told, "valid": verdict.valid, "judge": verdict.reason, "error": ""}
+        return {**told, "valid": None, "judge": str(error)[:300]}
+    told |= {"cost": cost_of(task, plan) if verdict.valid else None}
+    return {**told, "valid": verdict.valid, "judge": verdict.reason}
 
 
 def cost_of(task: Task, plan: Sequence[Action]) -> float | None:
-    """Add up what the steps of a plan cost by the printed files; None where these tell no costs."""
-    parts = tree_of(task.domain)
-    actions = {str(part[1]): part for part in parts if part[0] == ":action" and isinstance(part, list)}
-    start = next(part for part in tree_of(task.problem) if part[0] == ":init")
-    values = {_words(fact[1]): float(str(fact[2])) for fact in start if fact[0] == "=" and len(fact) == 3}
-    if "(increase" not in task.domain or any(step[0] not in actions for step in plan):
-        return None
-    total = 0.0
-    for name, *arguments in plan:
-        action = actions[name]
-        parameters = [word for word in action[action.index(":parameters") + 1] if word.startswith("?")]  # type: ignore[union-attr]
-        given = dict(zip(map(str, parameters), arguments, strict=False))
-        for amount in _amounts(action):
-            words = _words(amount)
-            ground = tuple(given.get(word, word) for word in words)
-            total += values.get(ground, 0.0) if isinstance(amount, list) else float(words[0])
-    return total
-
-
-def _amounts(tree: "Tree | str") -> "Iterable[Tree | str]":
-    if isinstance(tree, list):
-        if tree and tree[0] == "increase":
-            yield tree[2]
-        for each in tree:
-            yield from _amounts(each)
-
-
-def _words(tree: "Tree | str") -> tuple[str, ...]:
-    return (tree,) if isinstance(tree, str) else tuple(map(str, tree))
+    """Add up what the steps of a valid plan cost by the printed files; None where these tell no costs."""
+    reader = PDDLReader()
+    known = reader.parse_problem_string(*excerpt_for(task.domain, task.problem, plan))
+    steps = reader.parse_plan_string(known, "\n".join(f"({' '.join(step)})" for step in plan))
+    with PlanValidator(problem_kind=known.kind, plan_kind=steps.kind) as validator:
+        told = validator.validate(known, steps).metric_evaluations
+    return float(next(iter(told.values()))) if told else None
 
 
 def totals(found: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
@@ -379,23 +254,23 @@ def page(figures: Mapping[str, Any]) -> str:
         "# What other people's planners make of the printed files",
         f"`python -m tools.benchmarks.foreign` wrote this page and `foreign.json`. Each call may take "
         f"{figures['limit_cpu_s']} s of CPU. Plans are judged by unified-planning's validator.",
-        markdown_table(["Planner", "Version", "Call", "Solved", "Valid", "CPU, median of solved [s]"], rows),
+        table(["Planner", "Version", "Call", "Solved", "Valid", "CPU, median of solved [s]"], rows),
     ]
     names = list(dict.fromkeys(name for one in found.values() for name in one.get("problems", {})))
-    called_on = {name: one for name, one in found.items() if one.get("problems")}
+    called_on = {name: one["problems"] for name, one in found.items() if one.get("problems")}
     if names:
-        cells = [[name, *(_cell(one["problems"].get(name)) for one in called_on.values())] for name in names]
-        parts += ["CPU [s] and cost (or else length) of each plan:"]
-        parts += [markdown_table(["Problem", *called_on], cells)]
+        cells = [[name, *(_cell(one.get(name)) for one in called_on.values())] for name in names]
+        parts += ["CPU [s] and cost (or else length) of each plan:", table(["Problem", *called_on], cells)]
     tried = {name: one["features"] for name, one in found.items() if one.get("features")}
     if tried:
-        cells = [[name, *(_taken(one.get(name)) for one in tried.values())] for name in FEATURES]
+        titles = next(iter(tried.values()))
+        cells = [[name, *(_taken(one.get(name)) for one in tried.values())] for name in titles]
         parts += [
             "What of PDDL they take; a cross tells that a small task with it was not solved, brackets "
-            "that unified-planning does not read the task, so that nobody judged the plan:"
+            "that unified-planning does not read the task, so that nobody judged the plan:",
+            table(["In the task", *tried], cells),
         ]
-        parts += [markdown_table(["In the task", *tried], cells)]
-    return "\n\n".join(part.strip() for part in (*parts, *_refusals(found))) + "\n"
+    return document(*(part.strip() for part in (*parts, *_refusals(found))))
 
 
 def _summary(one: Mapping[str, Any]) -> list[str]:

@@ -19,10 +19,8 @@ from neurosym.files import write_atomically
 from neurosym.stages.console import progress_bar, say
 
 Job = Callable[[], Any]
-
-
-def nothing() -> None:
-    """Report nothing."""
+Found = Mapping[str, Any]
+"""What jobs found, by their names."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +29,7 @@ class Evaluation:
 
     Attributes:
         name: What its files are called.
-        work: The working folder; its jobs lie in `jobs`.
+        work: The working folder; what each job found lies in `jobs`.
         results: Folder for NAME.json, NAME.md, and NAME-records.zip, with which another machine goes on.
         workers: How many jobs are done at once.
     """
@@ -42,67 +40,55 @@ class Evaluation:
     workers: int = 1
 
     def __post_init__(self) -> None:
-        self.jobs.mkdir(parents=True, exist_ok=True)
-        self.results.mkdir(parents=True, exist_ok=True)
-        unpack(self.results / f"{self.name}-records.zip", self.jobs)
+        for folder in (self.work / "jobs", self.results):
+            folder.mkdir(parents=True, exist_ok=True)
+        unpack(self.results / f"{self.name}-records.zip", self.work / "jobs")
 
-    @property
-    def jobs(self) -> Path:
-        """Folder of the jobs that are done."""
-        return self.work / "jobs"
+    def path(self, job: str) -> Path:
+        """Say where what a job found is kept."""
+        return self.work / "jobs" / f"{job}.json"
 
     def perform(
         self,
         jobs: Mapping[str, Job],
-        label: str,
-        report: Callable[[], None] = nothing,
+        label: str = "measuring",
+        report: Callable[[], None] = lambda: None,
         *,
         fresh: bool = False,
     ) -> None:
-        """Do the jobs that were not done; see `perform`."""
-        perform(self.jobs, jobs, self.workers, report, fresh=fresh, label=label)
+        """Do the jobs that were not done, some at once, and report after each.
+
+        A job that fails is told of and left undone; the others go on.
+        """
+        left = {name: job for name, job in jobs.items() if not self.path(name).exists()}
+        if not left:
+            return
+        once = 1 if fresh else None
+        pool = ProcessPoolExecutor(
+            min(self.workers, len(left)), get_context("spawn"), max_tasks_per_child=once
+        )
+        with pool, progress_bar(label) as advance:
+            running = {pool.submit(job): name for name, job in left.items()}
+            try:
+                for done, future in enumerate(as_completed(running), 1):
+                    _keep(self.path(running[future]), future)
+                    report()
+                    advance(done, len(left))
+            except BaseException:
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise
 
     def found(self) -> dict[str, Any]:
-        """Read what the jobs found that are done, by name."""
-        return load_jobs(self.jobs)
+        """Read what the jobs found that are done."""
+        files = sorted((self.work / "jobs").glob("*.json"))
+        return {path.stem: json.loads(path.read_text()) for path in files}
 
     def write(self, summary: Any, page: str, *, records: bool = True) -> None:
         """Write what came of it: figures, a page, and the jobs themselves."""
         if records:
-            pack(self.jobs, self.results / f"{self.name}-records.zip")
+            pack(self.work / "jobs", self.results / f"{self.name}-records.zip")
         write_atomically(self.results / f"{self.name}.json", as_text(summary))
         write_atomically(self.results / f"{self.name}.md", page)
-
-
-def perform(
-    folder: Path,
-    jobs: Mapping[str, Job],
-    workers: int,
-    report: Callable[[], None],
-    *,
-    fresh: bool = False,
-    label: str = "measuring",
-) -> None:
-    """Do the jobs that were not done, some at once, each to a file of its own.
-
-    A job that fails is told of and left undone; the others go on.
-    """
-    left = {name: job for name, job in jobs.items() if not (folder / f"{name}.json").exists()}
-    if not left:
-        return
-    pool = ProcessPoolExecutor(
-        min(workers, len(left)), mp_context=get_context("spawn"), max_tasks_per_child=1 if fresh else None
-    )
-    with pool, progress_bar(label) as advance:
-        running: dict[Future[Any], str] = {pool.submit(job): name for name, job in left.items()}
-        try:
-            for done, future in enumerate(as_completed(running), 1):
-                _keep(folder / f"{running[future]}.json", future)
-                report()
-                advance(done, len(left))
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise
 
 
 def _keep(path: Path, future: "Future[Any]") -> None:
@@ -119,13 +105,8 @@ def as_text(values: Any) -> str:
     return json.dumps(values, indent=1, default=lambda value: value.tolist()) + "\n"
 
 
-def load_jobs(folder: Path) -> dict[str, Any]:
-    """Read what the jobs found that are done, by name."""
-    return {path.stem: json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))}
-
-
 def pack(folder: Path, archive: Path, kind: str = "*.json") -> None:
-    """Put the files of all jobs that are done into an archive; the same files give the same bytes."""
+    """Put files of a folder into an archive; the same files give the same bytes."""
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
         for path in sorted(folder.glob(kind)):
@@ -138,8 +119,7 @@ def unpack(archive: Path, folder: Path) -> None:
     if archive.exists():
         with zipfile.ZipFile(archive) as packed:
             for name in packed.namelist():
-                path = folder / Path(name).name
-                if not path.exists():
+                if not (path := folder / Path(name).name).exists():
                     write_atomically(path, packed.read(name))
 
 
@@ -148,3 +128,9 @@ def machine(*packages: str) -> dict[str, str]:
     versions = {name: version_of(name) for name in packages}
     cores, python = str(os.cpu_count()), platform.python_version()
     return {"cpu": this_machine().processor, "cpus": cores, "python": python, **versions}
+
+
+def cpu_seconds() -> float:
+    """Return the CPU time of this process and of those that it started and waited for [s]."""
+    spent = os.times()
+    return spent.user + spent.system + spent.children_user + spent.children_system

@@ -14,20 +14,18 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, NamedTuple
 
 import tyro
 
 from neurosym.choices import DOMAINS
-from neurosym.evaluation.summary import markdown_table
 from neurosym.files import write_atomically
 from neurosym.stages.console import say
 from tools.benchmarks.jobs import as_text, machine
-from tools.benchmarks.places import ROOT
+from tools.benchmarks.options import RESULTS, ROOT, Results
+from tools.benchmarks.tables import document, listed, number, table
 
-RESULTS = Path("docs/results")
 REFERENCE = 0.14
 """What importing numpy took where it was set down what commands must take [CPU s]."""
 NUMPY = "numpy"
@@ -60,28 +58,22 @@ print(spent + children.ru_utime + children.ru_stime)
 """Does a command in this process, and prints last what the part of it took that is its bound [CPU s]."""
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
-    """A command that is measured.
+class Row(NamedTuple):
+    """A command that is measured."""
 
-    Attributes:
-        command: What is typed after `neurosym`; shipped domains that it names are copied beforehand.
-        bound: One of `STARTED` or `COUNTED`.
-        must: The most that it may take [CPU s, where numpy takes `REFERENCE`]; None if nothing was set down.
-        goal: What it should take [the same].
-        before: What is typed beforehand, and not measured.
-        once: Whether it is measured once, as the first of its kind: what it leaves makes the next one quick.
-    """
-
-    command: str
-    bound: str
-    must: float | None = None
-    goal: float | None = None
-    before: tuple[str, ...] = ()
-    once: bool = False
+    command: str  # what is typed after `neurosym`; shipped domains that it names are copied beforehand
+    bound: str  # one of `STARTED` or `COUNTED`
+    must: float | None = None  # the most that it may take [CPU s, where numpy takes `REFERENCE`], if set down
+    goal: float | None = None  # what it should take [the same]
+    before: tuple[str, ...] = ()  # what is typed beforehand, and not measured
+    once: bool = False  # measured once, as the first of its kind: what it leaves makes the next one quick
 
 
 SCENES = ROOT / "tools/benchmarks/scenes"
+_ONE, _FOUR = (
+    f"{name} places/plans/{name}.fast-downward.plan" for name in ("anywhere-1-01", "four-anywhere")
+)
+_DRAWN = f"new-problem places --scene {SCENES}/four-anywhere.json"
 ROWS = (
     Row("--version", "python", 0.10, 0.05),
     Row("--help", "python", 0.20, 0.15),
@@ -89,26 +81,13 @@ ROWS = (
     Row("plan places row-4-12", "planner", 0.9, 0.6),
     Row("plan towers tower-6-05", "planner", 0.9, 0.6),
     Row("plan places anywhere-8-20", "planner", 3.5, 2.5),
-    Row(
-        "execute places anywhere-1-01 places/plans/anywhere-1-01.fast-downward.plan",
-        "simulation",
-        0.9,
-        0.6,
-        ("plan places anywhere-1-01",),
-    ),
+    Row(f"execute places {_ONE}", "simulation", 0.9, 0.6, ("plan places anywhere-1-01",)),
     Row("explain places", NUMPY, 0.5, 0.3),
     Row("check places", NUMPY, 0.35, 0.2),
     Row("plan tabletop far-80", "planner", 2.0, 1.0, (f"new-problem tabletop --scene {SCENES}/far-80.json",)),
     Row("report tabletop", NUMPY, 30.0, 15.0, ("report --help",), once=True),
     Row("demo", NUMPY, 40.0, 25.0, ("demo --help",), once=True),
-    Row(
-        "execute places four-anywhere places/plans/four-anywhere.fast-downward.plan",
-        NUMPY,
-        60.0,
-        20.0,
-        (f"new-problem places --scene {SCENES}/four-anywhere.json", "plan places four-anywhere"),
-        once=True,
-    ),
+    Row(f"execute places {_FOUR}", NUMPY, 60.0, 20.0, (_DRAWN, "plan places four-anywhere"), once=True),
 )
 """What is measured; a command more is a row more."""
 
@@ -118,7 +97,7 @@ def main(
     only: Annotated[
         str, tyro.conf.arg(help="Measure commands that hold this text only; writes nothing.")
     ] = "",
-    results: Annotated[Path, tyro.conf.arg(help="Folder for the table.")] = RESULTS,
+    results: Results = RESULTS,
 ) -> None:
     """Measure commands beside their bounds, and write the page and the figures."""
     found = {}
@@ -189,8 +168,6 @@ def _run(command: Sequence[str], folder: Path) -> str:
 def page(found: dict[str, dict[str, float]]) -> str:
     """Return the page."""
     rows = {row.command: row for row in ROWS}
-    told = ", ".join(f"{name} {value}" for name, value in machine("numpy", "up-fast-downward").items())
-    cells = [_cells(rows[command], one) for command, one in found.items()]
     columns = [
         "command",
         "CPU [s]",
@@ -201,35 +178,24 @@ def page(found: dict[str, dict[str, float]]) -> str:
         "must",
         "goal",
     ]
-    return (
-        "\n\n".join(
-            [
-                "# Latency, measured",
-                "`python -m tools.benchmarks.latency` wrote this page and `latency.json`. "
-                f"Machine: {told}. CPU seconds are those of a command with all the processes it starts. "
-                "The bound was measured in the same run: starting Python, importing numpy, what the "
-                "planners that the command starts take by themselves, or what its world simulates. "
-                "Importing numpy was measured beside each command, too. It took "
-                f"{REFERENCE} s where the last two columns were set down, so the column before them tells "
-                "what the command would take there.",
-                markdown_table(columns, cells),
-            ]
-        )
-        + "\n"
+    return document(
+        "# Latency, measured",
+        "`python -m tools.benchmarks.latency` wrote this page and `latency.json`. "
+        f"Machine: {listed(machine('numpy', 'up-fast-downward'))}. CPU seconds are those of a command with "
+        "all the processes it starts. The bound was measured in the same run: starting Python, importing "
+        "numpy, what the planners that the command starts take by themselves, or what its world simulates. "
+        "Importing numpy was measured beside each command, too. It took "
+        f"{REFERENCE} s where the last two columns were set down, so the column before them tells "
+        "what the command would take there.",
+        table(columns, [_cells(rows[command], one) for command, one in found.items()]),
     )
 
 
 def _cells(row: Row, one: dict[str, float]) -> list[str]:
     there = REFERENCE * one["cpu_s"] / one[NUMPY]
-    limits: list[Any] = ["-" if limit is None else f"{limit:g}" for limit in (row.must, row.goal)]
-    figures = (
-        f"{one['cpu_s']:.2f}",
-        row.bound,
-        f"{one['bound_cpu_s']:.2f}",
-        f"{one[NUMPY]:.2f}",
-        f"{there:.2f}",
-    )
-    return [f"`neurosym {row.command}`", *figures, *limits]
+    spent = [number(value) for value in (one["cpu_s"], one["bound_cpu_s"], one[NUMPY], there)]
+    limits = ["-" if limit is None else f"{limit:g}" for limit in (row.must, row.goal)]
+    return [f"`neurosym {row.command}`", spent[0], row.bound, *spent[1:], *limits]
 
 
 if __name__ == "__main__":

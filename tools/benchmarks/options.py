@@ -1,4 +1,4 @@
-"""Options that the benchmarks' commands share."""
+"""Where things lie in a checkout, and the options that the benchmarks' commands share."""
 
 import os
 import sys
@@ -9,16 +9,19 @@ from typing import Annotated
 import tyro
 from tyro.conf import arg
 
+ROOT = Path(__file__).parent.parent.parent
+RESULTS = Path("docs/results")
+CORES = os.cpu_count() or 1
+"""How many jobs run at once by default."""
+
 Seeds = Annotated[int, arg(help="Seeds of everything.")]
 Steps = Annotated[int, arg(help="Interactions of each exploration.")]
-Work = Annotated[Path, arg(help="Folder for what was measured.")]
+Tasks = Annotated[int, arg(help="Tasks of each kind.")]
+Scale = Annotated[float, arg(help="How much is measured, as a share of the full number.")]
+Work = Annotated[Path, arg(help="Folder for what was learned and measured.")]
 Results = Annotated[Path, arg(help="Folder for the tables.")]
 Workers = Annotated[int, arg(help="Jobs at once.")]
 OnlyReport = Annotated[bool, arg(help="Write the tables from what is there.")]
-Output = Annotated[Path | None, arg(help="Write the JSON here instead of printing it.")]
-
-CORES = os.cpu_count() or 1
-"""How many jobs run at once by default."""
 
 
 def check_positive(**values: int) -> None:

@@ -5,44 +5,30 @@ lines are made of (`plan_reading`), not by these examples.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 
-@dataclass(frozen=True, slots=True)
-class PlanForm:
+class PlanForm(NamedTuple):
     """A form that plans are written in.
 
     Templates may hold `{words}`, the action with blanks between; `{name}` and `{arguments}`, with commas
     between; `{under}` and `{underscored}`, the same with underscores for hyphens; `{lines}`, a word a line;
     `{capitals}`; `{json}`, the arguments as JSON; and `{number}`, which counts from 0. The tail may hold
     `{count}`, how many actions there are.
-
-    Attributes:
-        name: What it is called.
-        step: A ground action.
-        head: What stands before the first.
-        between: What stands between two.
-        tail: What stands after the last.
-        first: The first action, if it is written otherwise.
     """
 
     name: str
-    step: str
-    head: str = ""
-    between: str = "\n"
-    tail: str = "\n"
-    first: str = ""
+    step: str  # a ground action
+    head: str = ""  # what stands before the first
+    between: str = "\n"  # what stands between two
+    tail: str = "\n"  # what stands after the last
+    first: str = ""  # the first action, if it is written otherwise
 
     def write(self, actions: Sequence[Sequence[str]]) -> str:
-        """Write ground actions in this form.
-
-        Args:
-            actions: The actions in order, each its name and its arguments.
-        """
-        steps = (
-            _filled(self.first if self.first and not number else self.step, number, *action)
-            for number, action in enumerate(actions)
-        )
+        """Write ground actions in this form, each its name and its arguments."""
+        steps = [_filled(self.step, number, *action) for number, action in enumerate(actions)]
+        if self.first:
+            steps[:1] = [_filled(self.first, 0, *action) for action in actions[:1]]
         return self.head + self.between.join(steps) + self.tail.format(count=len(actions))
 
 
@@ -119,33 +105,21 @@ FORMS = (
         tail="\n3 actions in the plan.\ntotal time 0.01 preprocess 0.01\n",
     ),
     PlanForm("PDDL4J's output", "0{number}: (   {words}) [0]", head="found plan as follows:\n\n"),
-    PlanForm(
-        "pyperplan's plan file",
-        "({words} )",
-        head="# found by pyperplan with gbfs and hff\n",
-        between="\n",
-        tail="\n",
-    ),
+    PlanForm("pyperplan's plan file", "({words} )", head="# found by pyperplan with gbfs and hff\n"),
     PlanForm(
         "a service's JSON, strings",
         '"({words})"',
-        head='{"status": "ok", "result": {"plan": [',
-        between=", ",
-        tail="]}}}}\n",
+        *('{"status": "ok", "result": {"plan": [', ", ", "]}}}}\n"),
     ),
     PlanForm(
         "a service's JSON, objects with a name",
         '{{"name": "({words})", "action": "(:action {name})"}}',
-        head='{"plan": [',
-        between=",\n",
-        tail="]}}\n",
+        *('{"plan": [', ",\n", "]}}\n"),
     ),
     PlanForm(
         "a service's JSON, objects with a name and arguments",
         '{{"name": "{name}", "arguments": [{json}]}}',
-        head="[",
-        between=",\n ",
-        tail="]\n",
+        *("[", ",\n ", "]\n"),
     ),
     PlanForm("unified-planning's text", "    {under}({underscored})", head="SequentialPlan:\n"),
     PlanForm(

@@ -8,6 +8,7 @@ import os
 import platform
 import shutil
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -17,14 +18,9 @@ from neurosym.commands.ending import raised_signals, say_interrupted
 from neurosym.files import write_atomically
 from neurosym.stages.console import progress_bar, say
 from tools.benchmarks.jobs import pack, unpack
-from tools.faults.clocks import clocks
-from tools.faults.disks import cannot_mount, disks
-from tools.faults.kills import kills
-from tools.faults.limits import cannot_limit_processes, limits
-from tools.faults.pairs import pairs
+from tools.faults.journal import Jobs, Journal, page, summarise
 from tools.faults.subjects import WORLDS, Bench, WorldName, subjects
-from tools.faults.tables import page, summarise
-from tools.faults.trials import Jobs, Journal
+from tools.faults.trials import cannot_limit_processes, cannot_mount, clocks, disks, kills, limits, pairs
 
 RESULTS = Path("docs/results")
 TRIALS = "faults-trials.zip"
@@ -78,22 +74,18 @@ def _plan(
     kill_slow: int,
     pair: int,
     seed: int,
-) -> list[tuple[str, Jobs, int]]:
+) -> Iterator[tuple[str, Jobs, int]]:
     """List all jobs by a title of their part and command, with how many they are."""
-    all_of_them = [subject for world in worlds for subject in subjects(world)]
-    quick = [subject for subject in all_of_them if subject.title not in SLOW]
-    slow = [subject for subject in all_of_them if subject.title in SLOW]
-    plan: list[tuple[str, Jobs, int]] = []
-    plan += [(f"clock {one.title}", clocks(bench, one), 2) for one in quick]
-    plan += [
-        (f"pairs all-{world}", pairs(bench, world, wanted=pair, seed=seed), 5 * pair) for world in worlds[:1]
-    ]
-    plan += [(f"limits {one.title}", limits(bench, one), 14) for one in quick if one.world == "toy"]
-    plan += [("disk all", disks(bench), 33)]
+    every = [subject for world in worlds for subject in subjects(world)]
+    quick, slow = ([one for one in every if (one.title in SLOW) == is_slow] for is_slow in (False, True))
+    yield from ((f"clock {one.title}", clocks(bench, one), 2) for one in quick)
+    for world in worlds[:1]:
+        yield f"pairs all-{world}", pairs(bench, world, wanted=pair, seed=seed), 5 * pair
+    yield from ((f"limits {one.title}", limits(bench, one), 14) for one in quick if one.world == "toy")
+    yield "disk all", disks(bench), 33
     for one in (*quick, *slow):
         wanted = kill_slow if one in slow else kill
-        plan.append((f"kills {one.title}", kills(bench, one, journal, wanted=wanted, seed=seed), wanted))
-    return plan
+        yield f"kills {one.title}", kills(bench, one, journal, wanted=wanted, seed=seed), wanted
 
 
 def _perform(title: str, jobs: Jobs, journal: Journal, total: int) -> None:

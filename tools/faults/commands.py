@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from tools.benchmarks.places import ROOT
+from tools.benchmarks.options import ROOT
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL)
 """What commands are killed by."""
@@ -29,17 +29,11 @@ SETTLE = 5.0
 
 @dataclass(frozen=True)
 class Ending:
-    """How a command ended.
+    """How a command ended."""
 
-    Attributes:
-        code: Its exit code, minus the signal if one ended it; None if it had to be killed because it hung.
-        errors: What it wrote to standard error, without progress bars.
-        seconds: How long it took [s].
-    """
-
-    code: int | None
-    errors: str
-    seconds: float
+    code: int | None  # minus the signal if one ended it; None if it had to be killed because it hung
+    errors: str  # what it wrote to standard error, without progress bars
+    seconds: float  # how long it took [s]
 
     @property
     def is_before_ours(self) -> bool:
@@ -60,19 +54,12 @@ class Ending:
 
 @dataclass
 class Running:
-    """A command that runs.
-
-    Attributes:
-        process: Its process.
-        mark: What its environment, and that of all it starts, names it by.
-        log: What it writes to standard error goes here.
-        begin: When it started, by `time.monotonic()` [s].
-    """
+    """A command that runs."""
 
     process: "subprocess.Popen[bytes]"
-    mark: str
-    log: Path
-    begin: float = field(default_factory=time.monotonic)
+    mark: str  # what its environment, and that of all it starts, names it by
+    log: Path  # what it writes to standard error goes here
+    begin: float = field(default_factory=time.monotonic)  # when it started [s]
 
     def ends_within(self, seconds: float) -> bool:
         """Wait, and say whether it has ended."""
@@ -93,7 +80,7 @@ class Running:
             self.process.wait()
         written, code = self.log.read_text(errors="replace"), None if hangs else self.process.returncode
         self.log.unlink()
-        lines = [line for line in written.splitlines() if "━" not in line]
+        lines = [line for line in written.splitlines() if "█" not in line]
         return Ending(code, "\n".join(filter(str.strip, lines)), time.monotonic() - self.begin)
 
 
@@ -145,7 +132,9 @@ def run(arguments: Sequence[str], scratch: Path, **options: Any) -> tuple[Ending
 
 def left_by(running: Running, scratch: Path) -> list[str]:
     """Name the processes and temporary files that a command has left, and kill those processes."""
-    found = _until_nothing(lambda: [f"process left: {_command(n)}" for n in marked(running.mark)])
+    found = _until_nothing(
+        lambda: [f"process left: {_read(n, 'cmdline')[:120].decode('latin-1')}" for n in marked(running.mark)]
+    )
     found += _until_nothing(lambda: [f"temporary file left: {path.name}" for path in scratch.iterdir()])
     for number in marked(running.mark):
         os.kill(number, signal.SIGKILL)
@@ -162,16 +151,13 @@ def _until_nothing(look: Callable[[], list[str]]) -> list[str]:
 def marked(mark: str) -> list[int]:
     """List the processes that a command has started, without those that only wait to be buried."""
     wanted = f"{MARK}={mark}".encode()
-    return [int(path.name) for path in Path("/proc").glob("[0-9]*") if wanted in _read(path / "environ")]
+    numbers = [int(path.name) for path in Path("/proc").glob("[0-9]*")]
+    return [number for number in numbers if wanted in _read(number, "environ")]
 
 
-def _command(process: int) -> str:
-    return _read(Path(f"/proc/{process}/cmdline")).replace(b"\0", b" ").decode(errors="replace")[:120]
-
-
-def _read(path: Path) -> bytes:
+def _read(process: int, what: str) -> bytes:
     try:
-        return path.read_bytes()
+        return Path(f"/proc/{process}/{what}").read_bytes().replace(b"\0", b" ")
     except OSError:
         return b""
 

@@ -9,9 +9,8 @@ from neurosym.evaluation.comparison import Bench
 from neurosym.stages.folder import DomainFolder
 from tools.benchmarks.carrying import tasks
 from tools.benchmarks.carrying.by_hand import ByHand, carry_by_hand
-from tools.benchmarks.carrying.evaluate import summarise
-from tools.benchmarks.carrying.keeping import KEPT, keep, restore
-from tools.benchmarks.carrying.tables import page
+from tools.benchmarks.carrying.evaluate import KEPT, kept
+from tools.benchmarks.domains import keep, restore
 
 
 @cache
@@ -35,12 +34,12 @@ def test_what_it_takes_to_try_a_learned_domain_is_kept_and_restored(tmp_path):
         path.write_text(name)
     (learned / "seed-3").mkdir()
     (learned / "seed-3" / KEPT[0]).write_text("not learned yet")
-    keep(learned, archive)
+    keep(learned, archive, kept)
     again.mkdir()
     restore(archive, again)
     assert sorted(path.name for path in again.glob("*/*")) == sorted(KEPT)
     assert (again / "seed-2" / KEPT[0]).read_text() == KEPT[0]
-    keep(again, tmp_path / "twice.zip")
+    keep(again, tmp_path / "twice.zip", kept)
     assert (tmp_path / "twice.zip").read_bytes() == archive.read_bytes()
 
 
@@ -48,20 +47,6 @@ def test_a_person_carries_one_object_and_swaps_two_without_a_planner():
     world = bench().setting.world
     one = tasks.far(bench(), 1, 5, graspable=True)
     assert carry_by_hand(one, world, 0) == ByHand(reached=True, motions=1)
-    swapped = carry_by_hand(tasks.swap(bench(), 5), world, 0)
+    swapped = carry_by_hand(tasks.graspable("swap", 2, bench(), 5), world, 0)
     assert swapped.reached
     assert 3 <= swapped.motions <= 6
-
-
-def test_page_tells_what_was_tried_and_leaves_out_what_was_not():
-    trials = {name: [[], []] for name, *_ in tasks.cells(1.0)}
-    can = {"symbol": "101", "right": 0.97, "median_mm": 1.5}
-    found = {"learn-1": can, "random-2": can | {"symbol": "", "right": 0.0}, "by-hand-swap": [True, False]}
-    summary = summarise(found, trials, seeds=2, steps=8, places=2)
-    assert summary["carry_seeds"] == 1
-    text = page(summary)
-    assert "| swap | 0 | - | - | - | 50 % | - |" in text
-    assert "| 1 | 101 | 97.0% | 1.5 | - | - | - |" in text
-    assert "| 2 | - | - | - | none | 0.0% | 1.5 |" in text
-    summary["table"]["swap"] |= {"replanned": [1.0, 0.5], "tasks": 20}
-    assert "| swap | 20 | - | 75 % ± 35 (53 to 89) | - | 50 % | - |" in page(summary)

@@ -1,12 +1,13 @@
 """The matrix of planners and encodings: single cells, the page, and the command that lists planners."""
 
+import json
 from pathlib import Path
 
 import pytest
-import toy_relations
 from toy_domain import grounding, problem
 
-from neurosym.planners.planner_table import PROGRAMS
+from neurosym.planners.registry import PROGRAMS
+from tools.benchmarks.jobs import Evaluation
 from tools.benchmarks.planning import planner_matrix as matrix
 
 TASK = problem({"item-01": (0.68, 0.08, 0.025)})
@@ -23,20 +24,6 @@ def test_cell_tells_of_a_plan_and_what_its_replay_says(encoding: str, cell: floa
     assert "item-01 ends where item-02 is" in found["words"]
 
 
-def test_tower_is_asked_for_on_the_page_alone():
-    towers = toy_relations.tower(), toy_relations.grounding()
-    found = matrix.measure("lama-first", "strips", *towers, time_limit=30.0)
-    assert (found["status"], found["valid"], found["cell_mm"]) == ("solved", True, None)
-    assert found["steps"] == 2
-    given = {**matrix._with_relations(), **matrix._toy()}
-    assert [encoding for encoding, name in matrix._asked(given) if name == "relations-tower"] == ["strips"]
-    assert [encoding for encoding, name in matrix._asked(given) if name == "toy-1"] == [
-        "strips",
-        "numeric",
-        "sas",
-    ]
-
-
 def test_page_has_a_row_for_every_planner_and_reader(tmp_path: Path):
     solved = {"status": "solved", "cell_mm": 5.0, "seconds": 1.5, "words": "", "valid": True, "steps": 3}
     failed = {"status": "failed", "words": "Kairos ended with code 1: no | sense"}
@@ -46,7 +33,10 @@ def test_page_has_a_row_for_every_planner_and_reader(tmp_path: Path):
         "kairos.strips.places-swap": failed,
         "pddl.numeric.task-01": {"status": "parsed"},
     }
-    matrix._write(cells, tmp_path, {"task-01": None, "task-02": None, "places-swap": None}, 30.0, 10)
+    evaluation = Evaluation("planners", tmp_path / "work", tmp_path)
+    for name, cell in cells.items():
+        evaluation.path(name).write_text(json.dumps(cell))
+    matrix.write_results(evaluation, ["task-01", "task-02", "places-swap"], 30.0, 10)
     text = (tmp_path / "planners.md").read_text()
     assert "**1/2**, 1 valid, 1.5 s, 3 steps, 5 mm; Kairos ended with code 1: no / sense" in text
     assert "| 0/1: Kairos ended" in text

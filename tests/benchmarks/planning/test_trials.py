@@ -9,9 +9,8 @@ from toy_domain import WORLD, grounding, problem
 
 from neurosym.evaluation.comparison import Setting
 from neurosym.execution.record import Run, StepRecord
-from neurosym.operators import Rehearsal
 from tools.benchmarks.jobs import Evaluation
-from tools.benchmarks.planning import evaluate, figures, jobs, trial_jobs, trials
+from tools.benchmarks.planning import evaluate, figures, jobs, trials
 from tools.benchmarks.planning.trials import Followed, Step, Trial
 
 
@@ -50,25 +49,6 @@ def test_brier_score_is_compared_with_that_of_the_base_rate():
     assert figures.calibration([])["brier"] is None
 
 
-def test_bins_hold_as_many_plans_as_they_must_and_all_of_them():
-    chances = np.random.default_rng(0).random(160)
-    found = figures.bins(chances, (chances > 0.5).astype(float), least=50)
-    assert [part["plans"] for part in found] == [54, 53, 53]
-    assert found[0]["reached"] == 0.0
-    assert found[2]["reached"] == 1.0
-    assert found[0]["chance"] < found[1]["chance"] < found[2]["chance"]
-    assert [part["plans"] for part in figures.bins(chances[:49], chances[:49], least=50)] == [49]
-    assert figures.bins(chances[:0], chances[:0]) == []
-
-
-def test_worst_category_is_one_with_enough_steps():
-    steps = [step(3.0)] * 20 + [step(4.0, "01")] * 20 + [step(90.0, "10")] * 19 + [step(None, "01")]
-    told = figures.promise_errors(steps)
-    assert (told["steps"], told["worst"], told["worst_category"]) == (59, 4.0, "01")
-    assert told["all"] == pytest.approx(np.sqrt((20 * 9 + 20 * 16 + 19 * 8100) / 59))
-    assert told["median"] == 4.0
-
-
 def test_interval_of_promises_holds_the_rms_and_is_wide_where_one_run_decides():
     def run(*errors: float) -> trials.Trial:
         return msgspec.structs.replace(
@@ -79,9 +59,9 @@ def test_interval_of_promises_holds_the_rms_and_is_wide_where_one_run_decides():
     assert figures.rms_interval(even) == (4.0, 4.0)
     low, high = figures.rms_interval([*even, run(4.0, 200.0)])
     assert low == 4.0 < np.sqrt((61 * 16 + 200**2) / 62) < high
-    assert figures.first_rms([*even, run(4.0, 200.0)]) == 4.0
+    assert figures.promises([*even, run(4.0, 200.0)], "replanned")["first"] == 4.0
     assert figures.rms_interval([NO_PLAN]) is None
-    assert figures.first_rms([NO_PLAN]) is None
+    assert figures.promises([NO_PLAN], "replanned")["first"] is None
 
 
 def test_step_that_puts_down_is_measured_where_the_object_lies():
@@ -128,33 +108,14 @@ def test_task_is_planned_once_and_followed_both_ways():
     assert trials.try_task(setting, problem({"item-01": (0.68, 0.08, 0.025)}), blind=False).blind is None
 
 
-def test_kinds_of_primitive_are_read_from_rehearsals():
-    domain = grounding()
-    assert trial_jobs.kinds_of(domain) is None, "no rehearsals are kept"
-    pushed = Rehearsal("resting", (0.1, 0.0, 0.0), (0.1, 0.0, 0.0), 0.0, 0.0)
-    missed = Rehearsal("resting", (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 0.0)
-    table = domain.operators
-    telling = next(one.symbol for one in table.categories if one.share >= 0.1)
-
-    def rehearsed(rows: tuple[Rehearsal, ...]):
-        operators = tuple(
-            msgspec.structs.replace(op, rehearsals=rows) if op.category == telling else op
-            for op in table.operators
-        )
-        return msgspec.structs.replace(domain, operators=msgspec.structs.replace(table, operators=operators))
-
-    assert trial_jobs.kinds_of(rehearsed((pushed,) * 3 + (missed,) * 2)) == ["forward push"]
-    assert trial_jobs.kinds_of(rehearsed((pushed,) * 1 + (missed,) * 1)) == []
-
-
 def test_figures_come_into_json_and_the_page(tmp_path):
-    size = jobs.size_of(1, 2560, precise=10, far=(5, 0, 5))
-    (tmp_path / "jobs").mkdir()
-    measured = {name: [trial(blind=False)] * 10 for name in trial_jobs.precision_jobs(tmp_path, size, 0.05)}
-    measured |= {name: [trial(), NO_PLAN] for name in trial_jobs.far_jobs(size)}
+    agenda = jobs.Agenda(tmp_path, jobs.size_of(1, 2560)._replace(precise=10, far=(5, 0, 5)))
+    evaluation = Evaluation("planning", tmp_path, tmp_path)
+    measured = {name: [trial(blind=False)] * 10 for name in agenda.precision(0.05)}
+    measured |= {name: [trial(), NO_PLAN] for names in agenda.far().values() for name in names}
     for name, found in measured.items():
-        (tmp_path / "jobs" / f"{name}.json").write_text(json.dumps(trials.to_json(found)))
-    evaluate.write_results(Evaluation("planning", tmp_path, tmp_path), size)
+        evaluation.path(name).write_text(json.dumps(trials.to_json(found)))
+    evaluate.write_results(evaluation, agenda)
     summary = json.loads((tmp_path / "planning.json").read_text())
     cell = {"blind": 0.0, "replanned": 1.0, "tasks": 10}
     assert summary["precision"]["50"] == {"single": cell, "double": cell}

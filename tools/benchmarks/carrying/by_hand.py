@@ -4,7 +4,8 @@ An object whose goal is free is carried there, the first in order. Where none is
 on a free spot that is drawn. What is missed is tried again; there are three motions for each object.
 """
 
-import msgspec
+from typing import NamedTuple
+
 import numpy as np
 from jaxtyping import Float
 
@@ -20,13 +21,8 @@ ROOM = 0.03
 _DRAWS = 500
 
 
-class ByHand(msgspec.Struct, frozen=True):
-    """What became of a task.
-
-    Attributes:
-        reached: Whether every object ended within the tolerance of its goal.
-        motions: How many actions were performed.
-    """
+class ByHand(NamedTuple):
+    """What became of a task: whether all goals were reached, and how many actions were performed."""
 
     reached: bool
     motions: int
@@ -36,18 +32,18 @@ def carry_by_hand(problem: Problem, world: World, seed: int) -> ByHand:
     """Carry the objects of a task to their goals."""
     rng, apart = np.random.default_rng(seed), footprints_apart(problem)
     goals = np.array([problem.goals[name][:2] for name in problem.object_names])
-    scene, most = problem.scene(), MOTIONS * len(problem.objects)
-    for motions in range(most + 1):
+    scene, motions = problem.scene(), 0
+    while True:
         away = np.linalg.norm(scene.positions[:, :2] - goals, axis=1)
         unmet = np.flatnonzero(away > problem.tolerance)
-        if not len(unmet) or motions == most:
+        if not len(unmet) or motions == MOTIONS * len(problem.objects):
             return ByHand(not len(unmet), motions)
         target, spot = _next(scene, unmet, goals, apart, world.table, rng)
         action = carry_to(scene.features[target])
         assert action is not None, "it can be grasped"
         place = world.table.nearest(*spot.tolist())
         scene = world.interact(scene, action, target, **relative_to(world, place)).end
-    raise AssertionError("returned by then")
+        motions += 1
 
 
 def _next(

@@ -1,70 +1,91 @@
 """How well are objects carried to places? `make evaluate-places`, into docs/results/places.*.
 
 For each seed a domain is learned, with places; that of seed 1 is `domains/places`. It is tried on tasks that
-nothing was chosen on: goals anywhere on the table for one to eight objects, swaps, rows and crowds. Goes on
-where it was interrupted: what was tried, and what it takes to try more, is kept beside the results.
+nothing was chosen on: goals anywhere on the table for one to eight objects, swaps, rows and crowds. They are
+compared with actions written by hand, and with the same domain without places. Goes on where it was
+interrupted: what was tried, and what it takes to try more, is kept beside the results.
 """
 
-from collections.abc import Mapping, Sequence
+import filecmp
+import math
+import shutil
+from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
-from statistics import mean, median
 from typing import Annotated, Any
 
+import msgspec
+import numpy as np
 import tyro
 
-from tools.benchmarks.carrying import baselines, tasks
-from tools.benchmarks.carrying.keeping import keep, restore, take_shipped
-from tools.benchmarks.carrying.learned import learn, learn_at_random
-from tools.benchmarks.carrying.tables import page
-from tools.benchmarks.jobs import Evaluation, Job, machine
-from tools.benchmarks.options import CORES, Results, Seeds, Steps, Work, Workers, begin
-from tools.benchmarks.planning import figures
-from tools.benchmarks.planning.measures import bench_of
-from tools.benchmarks.planning.trials import Trial, from_json, to_json, try_task
-from tools.relearn_places import PLACES, STEPS
+from neurosym.evaluation.comparison import Setting
+from neurosym.grounding import Grounding
+from neurosym.operators import OperatorTable
+from neurosym.pair_operators import PlaceOperators
+from neurosym.stages.layout import GROUNDING, MODEL, PLACE_OPERATORS, WORLD
+from neurosym.stages.learning import TO_PLACES
+from tools.benchmarks import domains
+from tools.benchmarks.carrying import tasks
+from tools.benchmarks.carrying.by_hand import carry_by_hand
+from tools.benchmarks.carrying.summary import BASELINES, page, slug, summarise
+from tools.benchmarks.domains import bench_of
+from tools.benchmarks.jobs import Evaluation, Job
+from tools.benchmarks.options import CORES, RESULTS, Results, Scale, Seeds, Steps, Work, Workers, begin
+from tools.benchmarks.planning.measures import TIME_LIMIT
+from tools.benchmarks.planning.trials import to_json, trials_of, try_task
+from tools.relearn_places import FOLDER as SHIPPED
+from tools.relearn_places import PLACES, SEED, STEPS
 
-RESULTS, WORK = Path("docs/results"), Path("evaluation/places")
 DOMAINS = "places-domains.zip"
+KEPT = (WORLD, MODEL, GROUNDING)
+"""What is needed of a learned domain to try it."""
 FIRST_TASK = 700_000
 """Seed of the first task, far from those of other evaluations."""
 AT_RANDOM = 2
 """Seeds with which what carries is learned from random actions, too."""
-RIGHT = 0.9
-"""A domain can carry if some action symbol ends graspable objects so often where it should."""
+LED = ("graspable 1", "graspable 2", "graspable 4")
+"""What is tried without places; with eight objects a search takes too long."""
+WITHIN = 0.015
+"""So near to what an operator does on average does a rehearsal end right [m]."""
+Jobs = dict[str, Job]
 
 
 def main(
     seeds: Seeds = 5,
     steps: Steps = STEPS,
     places: Annotated[int, tyro.conf.arg(help="Interactions besides that are aimed at places.")] = PLACES,
-    scale: Annotated[float, tyro.conf.arg(help="How many tasks, as a share of the full number.")] = 1.0,
-    work: Work = WORK,
+    scale: Scale = 1.0,
+    work: Work = Path("evaluation/places"),
     results: Results = RESULTS,
     workers: Workers = CORES,
 ) -> None:
     """Learn, try, and write what came of it; a seed is reported as soon as it is done."""
     evaluation = Evaluation("places", work, results, workers)
-    restore(results / DOMAINS, work)
+    domains.restore(results / DOMAINS, work)
     if (steps, places) == (STEPS, PLACES):
         take_shipped(work)
-    tried: dict[int, dict[str, dict[str, Job]]] = {}
-    every_cell = tasks.cells(scale)
+    tried: dict[int, dict[str, Jobs]] = {}
+    cells = tasks.cells(scale)
+
+    def report() -> None:
+        found = evaluation.found()
+        trials = {name: [trials_of(found, of[name]) for of in tried.values()] for name, *_ in cells}
+        summary = summarise(found, trials, seeds=len(tried), steps=steps, places=places)
+        evaluation.write(summary, page(summary))
+
     for seed in range(1, seeds + 1):
         folder = work / f"seed-{seed}"
         learning = {f"learn-{seed}": partial(learn, folder, seed, steps, places)}
         evaluation.perform(learning, f"seed {seed}, learning")
-        keep(work, results / DOMAINS)
-        tried[seed] = {cell[0]: _jobs(folder, seed, cell) for cell in every_cell}
+        domains.keep(work, results / DOMAINS, kept)
+        tried[seed] = {cell[0]: _jobs(folder, seed, cell) for cell in cells}
         every = {name: job for jobs in tried[seed].values() for name, job in jobs.items()}
-        report = partial(write_results, evaluation, tried, steps=steps, places=places)
         evaluation.perform(every, f"seed {seed}, tasks", report)
         report()
-    compared = baselines.jobs(work / "seed-1", FIRST_TASK + 10_000, every_cell)
-    evaluation.perform(compared, "baselines", report)
+    evaluation.perform(_baselines(work / "seed-1", cells), "baselines", report)
     at_random = {
         f"random-{seed}": partial(
-            learn_at_random, work / f"seed-{seed}", work / f"random-{seed}", seed, places
+            _learn_at_random, work / f"seed-{seed}", work / f"random-{seed}", seed, places
         )
         for seed in range(1, min(seeds, AT_RANDOM) + 1)
     }
@@ -72,87 +93,107 @@ def main(
     report()
 
 
-def write_results(
-    evaluation: Evaluation, tried: Mapping[int, Mapping[str, Mapping[str, Job]]], *, steps: int, places: int
-) -> None:
-    """Write the tables, and what they are made from, of as much as was tried so far."""
-    found = evaluation.found()
-    names = next(iter(tried.values()))
-    trials = {name: [_trials(found, of[name]) for of in tried.values()] for name in names}
-    summary = summarise(found, trials, seeds=len(tried), steps=steps, places=places)
-    evaluation.write(summary, page(summary))
+def take_shipped(work: Path) -> None:
+    """Copy the shipped domain, which is that of its seed, unless it is there."""
+    if SHIPPED.exists() and not (work / f"seed-{SEED}").exists():
+        shutil.copytree(SHIPPED, work / f"seed-{SEED}")
 
 
-def _jobs(folder: Path, seed: int, cell: tasks.Cell) -> dict[str, Job]:
+def kept(folder: Path) -> Iterator[str]:
+    """List what is kept of a domain that was learned, and is not the shipped one."""
+    own, shipped = folder / GROUNDING, SHIPPED / GROUNDING
+    if own.exists() and not (shipped.exists() and filecmp.cmp(own, shipped, shallow=False)):
+        yield from (name for name in KEPT if (folder / name).exists())
+
+
+def learn(folder: Path, seed: int, steps: int, places: int) -> dict[str, Any]:
+    """Learn a domain with places, unless that was done; say how well it carries, see `carries`."""
+    if not (folder / GROUNDING).exists():
+        domains.learn(folder, "disagreement", seed, steps)
+        domains.learn(folder, "disagreement", seed, places, TO_PLACES)
+        domains.compiled(folder)
+    learned = Grounding.load(folder / GROUNDING).places
+    assert learned is not None, "places were learned"
+    return carries(learned.operators)
+
+
+def _learn_at_random(learned: Path, folder: Path, seed: int, places: int) -> dict[str, Any]:
+    """Learn once more what carries, from as many actions at random."""
+    folder.mkdir(exist_ok=True)
+    for name in (WORLD, MODEL):
+        shutil.copy(learned / name, folder / name)
+    domains.learn(folder, "random", seed, places, TO_PLACES)
+    return carries(PlaceOperators.load(folder / PLACE_OPERATORS).operators)
+
+
+def carries(table: OperatorTable) -> dict[str, Any]:
+    """Say how often the best action symbol carries graspable objects, and how nearly alike.
+
+    Returns:
+        Of that symbol: the share of rehearsals on graspable objects, drawn as the world draws them, that end
+        within 15 mm of what the operator does on average; and the median distance from it [mm].
+    """
+    best: dict[str, Any] = {"symbol": "", "right": 0.0, "median_mm": math.nan}
+    objects = {category.symbol: category.objects for category in table.categories}
+    for symbol in table.symbols:
+        away = []
+        for one in (one for one in table.operators if one.primitive == symbol):
+            rows = zip(one.rehearsals[: one.trials], one.objects or objects[one.category], strict=False)
+            ends = [row for row, features in rows if tasks.is_graspable(np.array(features))]
+            centre = one.promise.outcome if one.promise and one.promise.kind == "carried" else None
+            away += [
+                math.dist(row.outcome, centre) if centre and row.kind == "carried" else math.inf
+                for row in ends
+            ]
+        right = float(np.mean([distance <= WITHIN for distance in away])) if away else 0.0
+        if right > best["right"]:
+            best = {"symbol": symbol, "right": right, "median_mm": 1000 * float(np.median(away))}
+    return best
+
+
+def _jobs(folder: Path, seed: int, cell: tasks.Cell) -> Jobs:
     name, draw, count = cell
-    slug = name.replace(", ", "-").replace(" ", "-")
     first = FIRST_TASK + 10_000 * seed
     return {
-        f"try-{seed}-{slug}-{start}": partial(
-            try_all, folder, draw, [first + n for n in range(start, start + tasks.BLOCK)]
+        f"try-{seed}-{slug(name)}-{start}": partial(
+            _try_all, folder, draw, [first + n for n in range(start, start + tasks.BLOCK)]
         )
         for start in range(0, count, tasks.BLOCK)
     }
 
 
-def try_all(folder: Path, draw: tasks.Draw, seeds: Sequence[int]) -> list[Any]:
+def _try_all(folder: Path, draw: tasks.Draw, seeds: Sequence[int]) -> list[Any]:
     """Try tasks, blindly and with replanning; nothing depends on the clock."""
     bench = bench_of(folder)
     return to_json([try_task(bench.setting, draw(bench, seed), blind=True) for seed in seeds])
 
 
-def _trials(found: Mapping[str, Any], jobs: Mapping[str, Job]) -> list[Trial]:
-    return [trial for name in jobs for trial in from_json(found.get(name, []))]
+def _baselines(folder: Path, cells: Sequence[tasks.Cell]) -> Jobs:
+    """List what is compared, on the tasks that the domain of the first seed is tried on."""
+    by_hand, without = BASELINES
+    found: Jobs = {}
+    for name, draw, count in cells:
+        seeds = range(FIRST_TASK + 10_000, FIRST_TASK + 10_000 + count)
+        if not name.startswith("all"):  # there is nothing written by hand for these
+            found[slug(f"{by_hand} {name}")] = partial(_by_hand, folder, draw, seeds)
+        if name in LED:
+            found[slug(f"{without} {name}")] = partial(_without_places, folder, draw, seeds)
+    return found
 
 
-def summarise(
-    found: Mapping[str, Any],
-    trials: Mapping[str, Sequence[Sequence[Trial]]],
-    *,
-    seeds: int,
-    steps: int,
-    places: int,
-) -> dict[str, Any]:
-    """Gather the shares of reached goals, for each seed and in the mean."""
-    table = {
-        name: {way: [figures.share(of_one, way) for of_one in of] for way in ("blind", "replanned")}
-        | {"motions": _motions(of), "tasks": sum(map(len, of))}
-        for name, of in trials.items()
-    }
-
-    def whole(name: str) -> float | None:
-        known = [share for share in table[name]["replanned"] if share is not None]
-        return mean(known) if known else None
-
-    def sizes(kind: str, ending: str = "") -> dict[str, float | None]:
-        return {str(n): whole(f"{kind} {n}{ending}") for n in (1, 2, 4, 8)}
-
-    can, at_random = (
-        [found.get(f"{how}-{seed}") for seed in range(1, seeds + 1)] for how in ("learn", "random")
-    )
-    return {
-        "command": "make evaluate-places",
-        "versions": machine("numpy", "pybullet", "torch", "up-fast-downward"),
-        "seeds": seeds,
-        "steps": steps,
-        "places": places,
-        "far_goals": sizes("graspable"),
-        "far_goals_20mm": sizes("graspable", ", 20 mm"),
-        "far_goals_all": sizes("all"),
-        "swap": whole("swap"),
-        "row": whole("row"),
-        "crowded": whole("crowded"),
-        "carry_seeds": sum(one is not None and one["right"] >= RIGHT for one in can),
-        "carries": can,
-        "carries_at_random": at_random,
-        "baselines": baselines.summary(found, tasks.cells(1.0)),
-        "table": table,
-    }
+def _by_hand(folder: Path, draw: tasks.Draw, seeds: Sequence[int]) -> list[bool]:
+    """Say of tasks whether they are reached by hand-written actions."""
+    bench = bench_of(folder)
+    return [carry_by_hand(draw(bench, seed), bench.setting.world, seed).reached for seed in seeds]
 
 
-def _motions(of_seeds: Sequence[Sequence[Trial]]) -> dict[str, float] | None:
-    counts = [len(one.replanned.steps) for of_one in of_seeds for one in of_one if one.replanned]
-    return {"median": median(counts), "most": max(counts)} if counts else None
+def _without_places(folder: Path, draw: tasks.Draw, seeds: Sequence[int]) -> list[bool]:
+    """Say of tasks whether they are reached, with replanning, by a domain that knows no places."""
+    bench = bench_of(folder)
+    grounding = msgspec.structs.replace(bench.setting.grounding, places=None)
+    setting = Setting(bench.setting.world, grounding, bench.setting.predict)
+    tried = [try_task(setting, draw(bench, seed), blind=False, time_limit=TIME_LIMIT) for seed in seeds]
+    return [one.replanned is not None and one.replanned.reached for one in tried]
 
 
 if __name__ == "__main__":

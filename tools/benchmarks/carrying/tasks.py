@@ -15,10 +15,14 @@ from tools.benchmarks.world.hand_written import carry_to
 
 Draw = Callable[[Bench, int], Problem]
 """Draws the task of a seed."""
+Cell = tuple[str, Draw, int]
+"""What a cell of the table is called, what draws its tasks, and how many there are for each seed."""
 NEAR = 0.02
 """The smaller tolerance [m]."""
 BLOCK = 5
 """Tasks that are tried together."""
+FAR = {1: 40, 2: 20, 4: 20, 8: 10}
+"""How many tasks there are with goals anywhere, by how many objects they have."""
 
 
 def is_graspable(features: Float[np.ndarray, " F"]) -> bool:
@@ -31,38 +35,27 @@ def far(bench: Bench, objects: int, seed: int, *, graspable: bool, tolerance: fl
     return bench.draw(objects, seed, tolerance, "anywhere", is_graspable if graspable else None)
 
 
-def _graspable(task: TaskKind, objects: int, bench: Bench, seed: int) -> Problem:
+def graspable(task: TaskKind, objects: int, bench: Bench, seed: int) -> Problem:
+    """Draw a task of some kind with graspable objects."""
     return bench.draw(objects, seed, TOLERANCE, task, is_graspable)
 
 
-swap: Draw = partial(_graspable, "swap", 2)
-"""Draws two objects that shall change places."""
-row: Draw = partial(_graspable, "row", 4)
-"""Draws four objects that shall stand in a row."""
-crowded: Draw = partial(_graspable, "crowded", 4)
-"""Draws a crowd of four objects that is to be cleared."""
-
-Cell = tuple[str, Draw, int]
-"""What a cell of the table is called, what draws its tasks, and how many there are for each seed."""
-
-
 def cells(scale: float) -> tuple[Cell, ...]:
-    """List what is tried."""
+    """List what is tried, so many times the usual number."""
 
-    def some(count: int) -> int:
-        return BLOCK * math.ceil(count * scale / BLOCK)
+    def draw(objects: int, **options: bool | float) -> Draw:
+        return partial(_far, objects, options)
 
-    of_size = {1: some(40), 2: some(20), 4: some(20), 8: some(10)}
-    return (
-        *((f"graspable {n}", partial(_far, n, True, None), count) for n, count in of_size.items()),
-        *((f"graspable {n}, 20 mm", partial(_far, n, True, NEAR), count) for n, count in of_size.items()),
-        *((f"all {n}", partial(_far, n, False, None), count) for n, count in of_size.items()),
-        ("swap", swap, some(20)),
-        ("row", row, some(20)),
-        ("crowded", crowded, some(20)),
-    )
+    found: list[Cell] = [
+        *((f"graspable {n}", draw(n, graspable=True), count) for n, count in FAR.items()),
+        *((f"graspable {n}, 20 mm", draw(n, graspable=True, tolerance=NEAR), k) for n, k in FAR.items()),
+        *((f"all {n}", draw(n, graspable=False), count) for n, count in FAR.items()),
+        ("swap", partial(graspable, "swap", 2), 20),
+        ("row", partial(graspable, "row", 4), 20),
+        ("crowded", partial(graspable, "crowded", 4), 20),
+    ]
+    return tuple((name, task, BLOCK * math.ceil(count * scale / BLOCK)) for name, task, count in found)
 
 
-def _far(objects: int, graspable: bool, tolerance: float | None, bench: Bench, seed: int) -> Problem:
-    within = {} if tolerance is None else {"tolerance": tolerance}
-    return far(bench, objects, seed, graspable=graspable, **within)
+def _far(objects: int, options: dict[str, bool | float], bench: Bench, seed: int) -> Problem:
+    return far(bench, objects, seed, **options)  # type: ignore[arg-type]

@@ -7,7 +7,7 @@ line or a few lines of Python beside this file, and copies of two files, `domain
 import re
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -28,21 +28,15 @@ _HARMLESS = re.compile(r"^\s*(?:at |File |\^|Error: 0|warning)|0 error|deprecat"
 class Planner:
     """A planner, and how it is called.
 
-    Attributes:
-        packages: What is installed for it, with versions; the first is the planner.
-        call: Its command line. `{python}`, `{bin}`, `{site}` lie in its environment; `{calls}` is the folder
-            of this file; `{limit}` is the time it has [s]. It is called where only the files are.
-        told: What the table says of the call.
-        plans: Which files it leaves a plan in, as a pattern of names; the last by name counts.
-        costs: Whether it reads costs that are functions of objects; otherwise it gets files without any
-            costs, if there are some.
+    In its command line `{python}`, `{bin}`, `{site}` lie in its environment; `{calls}` is the folder of this
+    file; `{limit}` is the time it has [s]. It is called where only the files are.
     """
 
-    packages: tuple[str, ...]
-    call: str
-    told: str
-    plans: str = "plan*"
-    costs: bool = True
+    packages: tuple[str, ...]  # what is installed for it, with versions; the first is the planner
+    call: str  # its command line
+    told: str  # what the table says of the call
+    plans: str = "plan*"  # which files it leaves a plan in, as a pattern of names; the last by name counts
+    costs: bool = True  # whether it reads costs that are functions of objects; else it gets files without any
 
     @property
     def version(self) -> str:
@@ -59,12 +53,7 @@ class Planner:
         return "\0".join([*self.packages, *self.call.split(), *(script.read_text() for script in scripts)])
 
     def words(self, venvs: Path, limit: int) -> list[str]:
-        """Return its command line.
-
-        Args:
-            venvs: Where the environments are.
-            limit: How long it may take [s].
-        """
+        """Return its command line, with so long a time [s]."""
         at = self.environment(venvs)
         site = at / f"lib/python{sys.version_info.major}.{sys.version_info.minor}/site-packages"
         slots = {"python": at / "bin/python", "bin": at / "bin", "site": site, "calls": CALLS, "limit": limit}
@@ -150,11 +139,7 @@ def install(planner: Planner, venvs: Path) -> str:
 
 
 def steps_in(text: str) -> list[tuple[str, ...]]:
-    """Read ground actions out of a plan, whatever stands before and behind each.
-
-    Args:
-        text: What a planner wrote: `(a b c)`, `0: (A B C) [1.00]`, or `1. a(b,c)`, a line each.
-    """
+    """Read ground actions, a line each: `(a b c)`, `0: (A B C) [1.00]`, or `1. a(b,c)`."""
     found = (_STEP.match(line) or _CALLED.match(line) for line in text.splitlines())
     return [tuple(" ".join(step.groups("")).replace(",", " ").lower().split()) for step in found if step]
 
@@ -164,18 +149,14 @@ def error_in(*outputs: str) -> str:
     for text in outputs:
         lines = [line.strip() for line in text.splitlines() if line.strip()]
         if traced := [number for number, line in enumerate(lines) if line.startswith("Traceback")]:
-            return _last_of_traceback(lines[traced[-1] :])
-        for line in _told(lines):
-            return line[:300]
+            last = lines[traced[-1] :]
+            named = [
+                line
+                for line in last
+                if re.match(r"[\w.]+(?:Error|Exception|Interrupt|Exit|Warning)?\b.*:", line)
+            ]
+            return (named or last)[-1][:300]
+        for line in lines:
+            if _ERROR.search(line) and not _HARMLESS.search(line):
+                return line[:300]
     return ""
-
-
-def _told(lines: list[str]) -> Iterator[str]:
-    return (line for line in lines if _ERROR.search(line) and not _HARMLESS.search(line))
-
-
-def _last_of_traceback(lines: list[str]) -> str:
-    named = [
-        line for line in lines if re.match(r"[\w.]+(?:Error|Exception|Interrupt|Exit|Warning)?\b.*:", line)
-    ]
-    return (named or lines)[-1][:300]

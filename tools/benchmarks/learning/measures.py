@@ -33,46 +33,20 @@ NINETY = 1.6449
 """Half the width of the interval that holds 90 % of a Gaussian, in standard deviations."""
 
 
-TEACHER = (
-    "direct",
-    "direct_epochs",
-    "direct_batch",
-    "direct_rate",
-    "direct_weight_decay",
-    "clip_norm",
-    "mirrors",
-    "validation_share",
-)
-"""What of the training configuration makes the network without a bottleneck what it is."""
-
-
-FILTER_SUFFIX = "-filtered"
-"""What is added to the name of a strategy that chooses only among actions of a great predicted effect."""
-
-
 @dataclass(frozen=True, slots=True)
 class Data:
-    """Where the data of one strategy and seed lies.
+    """Where the data of one strategy and seed lies."""
 
-    Attributes:
-        folder: Domain folder that was explored; `active` acts at random, so its data is that of `random`.
-        test: Domain folder of the test set.
-        strategy: Who shall have made the data.
-        seed: Of exploration, and of all that follows.
-        steps: How many of the interactions are used.
-    """
-
-    folder: Path
-    test: Path
-    strategy: str
-    seed: int
-    steps: int
+    folder: Path  # domain folder that was explored; `active` acts at random, so its data is that of `random`
+    test: Path  # domain folder of the test set
+    strategy: str  # who shall have made the data
+    seed: int  # of exploration, and of all that follows
+    steps: int  # how many of the interactions are used
 
     def load(self) -> Interactions:
         """Read the data."""
         data = Interactions.load(self.folder / "interactions.npz")[: self.steps]
-        strategy = self.strategy.removesuffix(FILTER_SUFFIX)
-        return replace(data, origin={**data.origin, "strategy": strategy})
+        return replace(data, origin={**data.origin, "strategy": self.strategy})
 
     def kept(self, which: str) -> Path:
         """Say where a network that learned from the data is kept."""
@@ -117,11 +91,12 @@ def assess_on_test(trained: Trained, seen: Interactions, test: Interactions) -> 
     effects = np.asarray(test.effects, dtype=np.float64)
     mean, variance = model.predict_from_codes(test.features, test.actions)
     r2 = r_squared(mean, effects)
-    r2_direct = r_squared(trained.direct.predict(test.features, test.actions), effects)
+    direct = trained.direct.predict(test.features, test.actions)
+    r2_direct = r_squared(direct, effects)
     high = np.flatnonzero(has_high_effect(effects))[:TEST_ROWS]
     guesses = {
         "model": mean,
-        "without a bottleneck": trained.direct.predict(test.features, test.actions),
+        "without a bottleneck": direct,
         **trivial_predictions(seen.effects, len(effects)),
     }
     return {
@@ -142,29 +117,30 @@ def assess_on_test(trained: Trained, seen: Interactions, test: Interactions) -> 
     }
 
 
-def act(data: Data, trained: Trained, choice: str, objects: int = REHEARSED) -> dict[str, Any]:
-    """Distil, choose and rehearse, and say which of the six primitives there are."""
+def act_upon(data: Data, choice: str) -> dict[str, Any]:
+    """Distil by the networks that were kept, choose and rehearse, and say which primitives there are."""
+    model, direct = EffectModel.load(data.kept("model")), DirectModel.load(data.kept("direct"))
     factory = read_world(data.folder / "world.toml")
-    world, model, interactions = factory(), trained.model, data.load()
+    world, interactions = factory(), data.load()
     begin = time.process_time()
     candidates = distill(model, interactions, world.action_box, seed=data.seed)
     seconds = time.process_time() - begin
     repertoire = choose(
         candidates,
         choice,
-        predict=trained.direct.predict_outcomes,
+        predict=direct.predict_outcomes,
         features=interactions.features,
         categorise=model.object_symbols,
         world_factory=factory,
         seed=data.seed,
     )
-    rehearsals = rehearse(factory, repertoire, model.object_symbols, objects=objects, seed=data.seed)
+    rehearsals = rehearse(factory, repertoire, model.object_symbols, objects=REHEARSED, seed=data.seed)
     found = kinds_found(rehearsals, world.lift_height)
     return {
         "distillation_seconds": seconds,
         "code_errors": {primitive.label: primitive.code_error for primitive in repertoire.primitives},
         "in_the_box": all(world.action_box.contains(np.array(p.action)) for p in repertoire.primitives),
-        "objects": objects,
+        "objects": REHEARSED,
         "kinds": {kind: [list(pair) for pair in pairs] for kind, pairs in found.items()},
         "operators": _operators(rehearsals, world.lift_height),
     }
@@ -178,24 +154,12 @@ def learn_and_keep(data: Data) -> dict[str, Any]:
     return figures
 
 
-def act_upon(data: Data, choice: str) -> dict[str, Any]:
-    """Act upon the networks that were kept."""
-    model, direct = EffectModel.load(data.kept("model")), DirectModel.load(data.kept("direct"))
-    return act(data, Trained(model, direct, {}), choice)
-
-
 def variant(data: Data, config: TrainingConfig, model_config: ModelConfig) -> dict[str, Any]:
     """Learn in another way, without acting; what teaches is the network that was kept, if it is the same."""
-    ours = TrainingConfig()
-    same = all(getattr(config, name) == getattr(ours, name) for name in TEACHER)
+    ours, taught_by = TrainingConfig(), ("teacher", "clip_norm", "mirrors", "validation_share")
+    same = all(getattr(config, name) == getattr(ours, name) for name in taught_by)
     direct = DirectModel.load(data.kept("direct")) if same else None
     return learn(data, config, model_config, direct)[1]
-
-
-def other_bits(data: Data, object_bits: int, action_bits: int) -> dict[str, Any]:
-    """Learn with other numbers of bits, taught by the network that was kept."""
-    direct = DirectModel.load(data.kept("direct"))
-    return learn(data, None, ModelConfig(object_bits, action_bits), direct)[1]
 
 
 def clustered(data: Data, bits: Sequence[tuple[int, int]]) -> dict[str, Any]:

@@ -6,21 +6,20 @@ from typing import Any
 import numpy as np
 
 from neurosym.evaluation.paper_tables import KINDS, kinds_table
-from neurosym.evaluation.summary import markdown_table, mean_and_spread
+from tools.benchmarks.tables import NOT_YET, document, listed, table
 
 BySeed = Mapping[str, Mapping[str, Any]]
-_NOT_YET = "not measured yet"
 
 
 def page(results: Mapping[str, Any]) -> str:
     """Write the page."""
-    machine = ", ".join(f"{name} {value}" for name, value in results["machine"].items())
     ours, missing = results["default_strategy"], results["missing"]
-    sections = [
+    return document(
         "# Learning, measured",
         f"By `{results['command']}`, which wrote this page, `learning.json` and `learning.png`. "
-        f"{results['steps']:,} interactions for each strategy and seed. Machine: {machine}. Mean ± standard "
-        "deviation over seeds, as many as the column says; docs/learning.md says what is what."
+        f"{results['steps']:,} interactions for each strategy and seed. "
+        f"Machine: {listed(results['machine'])}. Mean ± standard deviation over seeds, as many as the column "
+        "says; docs/learning.md says what is what."
         + (f" **Not finished**: {missing} jobs to do; the same command goes on." if missing else ""),
         "## What the bits hold",
         "R2 on random interactions of a seed of their own, mean of the three axes; the share is that through "
@@ -65,11 +64,10 @@ def page(results: Mapping[str, Any]) -> str:
         "## Learning curves",
         "![Errors and primitives against interactions](learning.png)",
         _curves(results["curves"]),
-    ]
-    return "\n\n".join(sections) + "\n"
+    )
 
 
-def _held(table: Mapping[str, BySeed]) -> str:
+def _held(found: Mapping[str, BySeed]) -> str:
     rows = [
         [
             strategy,
@@ -79,11 +77,11 @@ def _held(table: Mapping[str, BySeed]) -> str:
             _spread([min(c["action_codes"].values()) for c in cells.values()]),
             _spread([min(c["action_codes_in_training"].values()) for c in cells.values()]),
         ]
-        for strategy, cells in table.items()
+        for strategy, cells in found.items()
     ]
     columns = ["data of", "seeds", "R2 through codes", "R2 without bottleneck", "share"]
     rare = ["rarest action code, test", "rarest, training data"]
-    return markdown_table([*columns, *rare], rows)
+    return table([*columns, *rare], rows)
 
 
 def _shares(cells: BySeed) -> str:
@@ -111,7 +109,7 @@ def _by_axis(cells: BySeed) -> str:
         for seed, c in cells.items()
     ]
     explained = ["explained by action codes", "by action and object codes"]
-    return markdown_table(["seed", "x", "y", "z", "share", *explained, "held, by object code"], rows)
+    return table(["seed", "x", "y", "z", "share", *explained, "held, by object code"], rows)
 
 
 def _bits(results: Mapping[str, Any], ours: str) -> str:
@@ -127,7 +125,7 @@ def _bits(results: Mapping[str, Any], ours: str) -> str:
         for bits, cells in sorted(by_bits.items())
     ]
     columns = ["object + action bits", "seeds", "R2 through codes", "share", "share that clustering keeps"]
-    return markdown_table(columns, rows)
+    return table(columns, rows)
 
 
 def _variants(results: Mapping[str, Any], ours: str) -> str:
@@ -142,47 +140,43 @@ def _variants(results: Mapping[str, Any], ours: str) -> str:
         for name, cells in {"ours": few, **results["variants"]}.items()
     ]
     columns = ["", "seeds", "R2 through codes", "R2 without bottleneck", "action codes above 3 %"]
-    return markdown_table(columns, rows)
+    return table(columns, rows)
 
 
-def _table1(table: Mapping[str, BySeed], which: str) -> str:
-    rows = []
-    for strategy, cells in table.items():
-        rows.append([strategy, str(len(cells)), *_errors(cells, which, "model")])
-    some = next((cells for cells in table.values() if cells), {})
-    direct = {name: cells for name, cells in table.items() if cells}
+def _table1(found: Mapping[str, BySeed], which: str) -> str:
+    known = {name: cells for name, cells in found.items() if cells}
+    some = next(iter(known.values()), {})
+    rows = [[name, str(len(cells)), *_errors(cells, which, "model")] for name, cells in found.items()]
     rows += [
         [f"{name}, without a bottleneck", str(len(cells)), *_errors(cells, which, "without a bottleneck")]
-        for name, cells in direct.items()
+        for name, cells in known.items()
     ]
-    rows += [
-        [name, str(len(some)), *_errors(some, which, name)]
-        for name in ("always zero", "always mean", "per-axis median")
-    ]
-    return markdown_table(["", "seeds", "x", "y", "z"], rows)
+    baselines = ("always zero", "always mean", "per-axis median")
+    rows += [[name, str(len(some)), *_errors(some, which, name)] for name in baselines]
+    return table(["", "seeds", "x", "y", "z"], rows)
 
 
 def _errors(cells: BySeed, which: str, name: str) -> list[str]:
     return [_spread([1000 * c[which][name][axis] for c in cells.values()], 1) for axis in range(3)]
 
 
-def _calibration(table: Mapping[str, BySeed]) -> str:
+def _calibration(found: Mapping[str, BySeed]) -> str:
     names = ["nll", "nll_of_constant_gaussian", "within_90"]
     rows = [
         [strategy, str(len(cells)), *_spread_of(cells, names)]
-        for strategy, cells in table.items()
+        for strategy, cells in found.items()
         if cells and all("nll" in c for c in cells.values())
     ]
-    return markdown_table(["", "seeds", "NLL", "of one Gaussian for all", "within 90 % interval"], rows)
+    return table(["", "seeds", "NLL", "of one Gaussian for all", "within 90 % interval"], rows)
 
 
-def _table2(table: Mapping[str, Mapping[str, Sequence[str]]]) -> str:
-    return markdown_table(*kinds_table(table, "seed"))
+def _table2(found: Mapping[str, Mapping[str, Sequence[str]]]) -> str:
+    return table(*kinds_table(found, "seed"))
 
 
-def _rehearsed(table: Mapping[str, BySeed]) -> str:
+def _rehearsed(found: Mapping[str, BySeed]) -> str:
     rows = []
-    for strategy, cells in table.items():
+    for strategy, cells in found.items():
         operators = [row for c in cells.values() for row in c["operators"] if _is_of_a_kind(row)]
         for kind in KINDS:
             of_kind = [row for row in operators if row["kind"] == kind]
@@ -192,7 +186,7 @@ def _rehearsed(table: Mapping[str, BySeed]) -> str:
                 shares = [row["share"] for row in of_kind]
                 rows.append([strategy, kind, _spread(shares), _spread(widest, 1), within])
     columns = ["", "kind", "share of rehearsals", "spread, worst axis [mm]", "operators within the limit"]
-    return markdown_table(columns, rows)
+    return table(columns, rows)
 
 
 def _most_spread(kind: str) -> float:
@@ -214,13 +208,13 @@ def _choices(choices: Mapping[str, BySeed]) -> str:
         row = [_spread(found, 1), str(len(kept)), _spread(kept), _spread(errors, 4), _spread(seconds, 1)]
         rows.append([name, str(len(cells)), *row])
     columns = ["choice", "seeds", "kinds found", "operators of some kind", "share that turned out so"]
-    return markdown_table([*columns, "worst code error", "distillation [s]"], rows)
+    return table([*columns, "worst code error", "distillation [s]"], rows)
 
 
-def _went(table: Mapping[str, BySeed]) -> str:
-    names = list(dict.fromkeys(name for cells in table.values() for c in cells.values() for name in c))
-    rows = [[strategy, str(len(cells)), *_spread_of(cells, names)] for strategy, cells in table.items()]
-    return markdown_table(["", "seeds", *names], rows)
+def _went(found: Mapping[str, BySeed]) -> str:
+    names = list(dict.fromkeys(name for cells in found.values() for c in cells.values() for name in c))
+    rows = [[strategy, str(len(cells)), *_spread_of(cells, names)] for strategy, cells in found.items()]
+    return table(["", "seeds", *names], rows)
 
 
 def _curves(curves: Mapping[str, Mapping[str, Mapping[str, BySeed]]]) -> str:
@@ -238,7 +232,7 @@ def _curves(curves: Mapping[str, Mapping[str, Mapping[str, BySeed]]]) -> str:
         if jobs["learn"]
     ]
     columns = ["", "interactions", "seeds", "R2 through codes", "R2 without bottleneck"]
-    return markdown_table([*columns, "error, high effects [mm]", "kinds found"], rows)
+    return table([*columns, "error, high effects [mm]", "kinds found"], rows)
 
 
 def _spread_of(cells: BySeed, names: Iterable[str]) -> list[str]:
@@ -246,4 +240,4 @@ def _spread_of(cells: BySeed, names: Iterable[str]) -> list[str]:
 
 
 def _spread(values: Sequence[float], digits: int = 3) -> str:
-    return mean_and_spread(values, digits) if values else _NOT_YET
+    return f"{np.mean(values):.{digits}f} ± {np.std(values):.{digits}f}" if values else NOT_YET

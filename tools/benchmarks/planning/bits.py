@@ -10,40 +10,47 @@ import shutil
 from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from statistics import mean, stdev
-from typing import Annotated, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-import tyro
 
-from neurosym.commands.learn import init
 from neurosym.errors import counted
-from neurosym.evaluation.summary import markdown_table
 from neurosym.grounding import Grounding
-from neurosym.pddl.compiler import CELL
-from neurosym.stages.compilation import compile_stage
-from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, MANIFEST, WORLD
-from neurosym.stages.learning import distill_stage, explore_stage, train_stage
-from tools.benchmarks.jobs import Evaluation, machine
-from tools.benchmarks.options import CORES, OnlyReport, Results, Seeds, Steps, Work, Workers, begin
-from tools.benchmarks.planning.measures import REHEARSALS
-from tools.benchmarks.planning.trying import Jobs, in_millimetres, in_percent, promise_rms, shares, trying
+from neurosym.stages.layout import GROUNDING, MANIFEST
+from tools.benchmarks import domains
+from tools.benchmarks.jobs import Evaluation, Found, Job, machine
+from tools.benchmarks.options import (
+    CORES,
+    RESULTS,
+    OnlyReport,
+    Results,
+    Seeds,
+    Steps,
+    Tasks,
+    Work,
+    Workers,
+    begin,
+)
+from tools.benchmarks.planning import figures
+from tools.benchmarks.planning.jobs import SIZES, blocks
+from tools.benchmarks.planning.measures import TIME_LIMIT
+from tools.benchmarks.planning.trials import to_json, trials_of, try_task
+from tools.benchmarks.tables import document, over_seeds, table
 
-RESULTS, WORK = Path("docs/results"), Path("evaluation/bits")
-STRATEGY, REGIME = "disagreement", "default"
 FIRST_TASK = 300_000
 """Seed of the first task, far from those of other evaluations."""
+STRATEGY = "disagreement"
+TOLERANCES = (50, 20)
+"""How near objects must come to their goals [mm]."""
+NAMES = ("categories", "primitives", "operators", "spread_median_mm", "spread_p90_mm")
+
+
+Jobs = dict[tuple[str, int], dict[str, Job]]
+"""Jobs by how many objects there are, and tolerance [mm]."""
 
 
 class Learned(NamedTuple):
-    """One way to learn from an exploration.
-
-    Attributes:
-        object_bits: Of object symbols.
-        action_bits: Of action symbols.
-        choice: Which candidates stand for a symbol.
-    """
+    """One way to learn from an exploration: bits of symbols, and which candidates stand for a symbol."""
 
     object_bits: int
     action_bits: int
@@ -66,8 +73,8 @@ EVERY = (Learned(2, 3, "lowest-error"), *(Learned(2, bits) for bits in (3, 4, 5,
 def main(
     seeds: Seeds = 3,
     steps: Steps = 10_000,
-    tasks: Annotated[int, tyro.conf.arg(help="Tasks with one object, and with two.")] = 30,
-    work: Work = WORK,
+    tasks: Tasks = 30,
+    work: Work = Path("evaluation/bits"),
     results: Results = RESULTS,
     workers: Workers = CORES,
     only_report: OnlyReport = False,
@@ -76,82 +83,73 @@ def main(
     evaluation = Evaluation("bits", work, results, workers)
     every_seed = range(1, seeds + 1)
     if not only_report:
-        exploring = {f"explore-{seed}": partial(explore, work, seed, steps) for seed in every_seed}
+        exploring = {f"explore-{seed}": partial(_explore, work, seed, steps) for seed in every_seed}
         evaluation.perform(exploring, "exploring")
     tried: dict[Learned, list[Jobs]] = {}
     for how in EVERY:
-        tried[how] = [
-            trying(work / f"{how.slug}-{seed}", f"{how.slug}-{seed}", tasks, FIRST_TASK)
-            for seed in every_seed
-        ]
+        names = {seed: f"{how.slug}-{seed}" for seed in every_seed}
+        tried[how] = [_trying(work / name, name, tasks) for name in names.values()]
         if not only_report:
-            _learn_and_try(evaluation, how, tried[how])
+            learning = {
+                f"learn-{name}": partial(_learn, work, name, how, seed, steps) for seed, name in names.items()
+            }
+            evaluation.perform(learning, how.name)
+            every = {name: job for of in tried[how] for jobs in of.values() for name, job in jobs.items()}
+            evaluation.perform(every, f"{how.name}, tasks")
         summary = summarise(evaluation.found(), tried, seeds=seeds, steps=steps, tasks=tasks)
         evaluation.write(summary, page(summary))
 
 
-def _learn_and_try(evaluation: Evaluation, how: Learned, tried: Sequence[Jobs]) -> None:
-    """Learn in one way with each seed, and try what was learned."""
-    work = evaluation.work
-    learning = {
-        f"learn-{how.slug}-{seed}": partial(learn, work, work / f"{how.slug}-{seed}", how, seed)
-        for seed in range(1, len(tried) + 1)
-    }
-    evaluation.perform(learning, how.name)
-    trials = {name: job for of_one in tried for jobs in of_one.values() for name, job in jobs.items()}
-    evaluation.perform(trials, f"{how.name}, tasks")
-
-
-def explored(work: Path, seed: int) -> Path:
-    """Return the folder of an exploration."""
-    return work / f"explored-{seed}"
-
-
-def explore(work: Path, seed: int, steps: int) -> int:
+def _explore(work: Path, seed: int, steps: int) -> int:
     """Explore; return how many interactions there are."""
-    folder = explored(work, seed)
-    if not (folder / WORLD).exists():
-        init(folder)
-    domain = DomainFolder(folder)
-    stage = explore_stage(domain, strategy=STRATEGY, steps=steps, seed=seed, regime=REGIME, workers=1)
-    domain.perform(stage, again=False)
+    domains.explored(work / f"explored-{seed}", STRATEGY, seed, steps)
     return steps
 
 
-def learn(work: Path, folder: Path, how: Learned, seed: int) -> dict[str, Any]:
-    """Learn from an exploration; what was done is not done again.
-
-    Returns:
-        How many operators there are, and the spread of what they do.
-    """
+def _learn(work: Path, name: str, how: Learned, seed: int, steps: int) -> dict[str, Any]:
+    """Learn from an exploration; return how many operators there are, and the spread of what they do."""
+    folder = work / name
     if not (folder / MANIFEST).exists():
-        shutil.copytree(explored(work, seed), folder)
-    domain = DomainFolder(folder)
+        shutil.copytree(work / f"explored-{seed}", folder)
     bits = {"object_bits": how.object_bits, "action_bits": how.action_bits}
-    for stage in (
-        train_stage(domain, seed=seed, regime=REGIME, **bits),
-        distill_stage(domain, objects=REHEARSALS, seed=seed, workers=1, choice=how.choice),
-        compile_stage(domain, cell=CELL),
-    ):
-        domain.perform(stage, again=False)
-    return described(Grounding.load(folder / GROUNDING))
+    domains.learn(folder, STRATEGY, seed, steps, choice=how.choice, **bits)
+    domains.compiled(folder)
+    grounding = Grounding.load(folder / GROUNDING)
+    scatters = [operator.promise.scatter for operator in grounding.live if operator.promise]
+    spreads = [1000 * math.hypot(*scatter) for scatter in scatters]
+    numbers = (
+        len(grounding.operators.categories),
+        len(grounding.operators.symbols),
+        len(grounding.live),
+        float(np.median(spreads)) if spreads else None,
+        float(np.quantile(spreads, 0.9)) if spreads else None,
+    )
+    return dict(zip(NAMES, numbers, strict=True))
 
 
-def described(grounding: Grounding) -> dict[str, Any]:
-    """Count the symbols and operators of a domain, and say how exactly these do what they do."""
-    promises = [operator.promise for operator in grounding.live if operator.promise]
-    spreads = [1000 * math.hypot(*promise.scatter) for promise in promises]
+def _trying(folder: Path, name: str, tasks: int) -> Jobs:
+    """List the jobs that try tasks in a domain."""
     return {
-        "categories": len(grounding.operators.categories),
-        "primitives": len(grounding.operators.symbols),
-        "operators": len(grounding.live),
-        "spread_median_mm": float(np.median(spreads)) if spreads else None,
-        "spread_p90_mm": float(np.quantile(spreads, 0.9)) if spreads else None,
+        (kind, mm): {
+            f"try-{name}-{kind}-{mm}mm-{block.start}": partial(
+                _try_all, folder, objects, mm, [FIRST_TASK + number for number in block]
+            )
+            for block in blocks(tasks)
+        }
+        for kind, objects in SIZES.items()
+        for mm in TOLERANCES
     }
 
 
+def _try_all(folder: Path, objects: int, mm: int, seeds: Sequence[int]) -> list[Any]:
+    """Try tasks drawn as the paper draws them, blindly and with replanning."""
+    bench = domains.bench_of(folder)
+    tasks = [bench.draw(objects, seed, mm / 1000) for seed in seeds]
+    return to_json([try_task(bench.setting, task, blind=True, time_limit=TIME_LIMIT) for task in tasks])
+
+
 def summarise(
-    found: Mapping[str, Any], tried: Mapping[Learned, Sequence[Jobs]], *, seeds: int, steps: int, tasks: int
+    found: Found, tried: Mapping[Learned, Sequence[Jobs]], *, seeds: int, steps: int, tasks: int
 ) -> dict[str, Any]:
     """Gather what was learned, and the shares of reached goals."""
     return {
@@ -163,28 +161,48 @@ def summarise(
         "learned": {
             how.name: [found.get(f"learn-{how.slug}-{seed}") for seed in range(1, seeds + 1)] for how in tried
         },
-        "reached": {how.name: shares(found, jobs) for how, jobs in tried.items()},
-        "promise_rms_mm": {how.name: promise_rms(found, jobs) for how, jobs in tried.items()},
+        "reached": {
+            how.name: {
+                f"{kind}, {mm} mm, {way}": [figures.share(trials_of(found, of[kind, mm]), way) for of in jobs]
+                for mm in TOLERANCES
+                for kind in SIZES
+                for way in figures.WAYS
+            }
+            for how, jobs in tried.items()
+        },
+        "promise_rms_mm": {
+            how.name: {f"{mm} mm": [_missed(found, of, mm) for of in jobs] for mm in TOLERANCES}
+            for how, jobs in tried.items()
+        },
     }
+
+
+def _missed(found: Found, jobs: Jobs, mm: int) -> float | None:
+    """Say how far steps ended from their promises [mm], root mean square."""
+    trials = [trial for kind in SIZES for trial in trials_of(found, jobs[kind, mm])]
+    rms: float | None = figures.promise_errors(figures.steps_of(trials))["all"]
+    return rms
 
 
 def page(summary: Mapping[str, Any]) -> str:
     """Write the tables."""
-    learned, reached = summary["learned"], summary["reached"]
-    names = ("categories", "primitives", "operators", "spread_median_mm", "spread_p90_mm")
-    known = {how: [one for one in ones if one] for how, ones in learned.items()}
+    known = {how: [one for one in ones if one] for how, ones in summary["learned"].items()}
     titles = {
         how: how if len(ones) == summary["seeds"] else f"{how} ({counted(len(ones), 'seed')})"
         for how, ones in known.items()
         if ones
     }
     rows = [
-        [titles[how], *(_spread([one[name] for one in ones]) for name in names)]
-        for how, ones in known.items()
-        if ones
+        [title, *(over_seeds([one[name] for one in known[how]]) for name in NAMES)]
+        for how, title in titles.items()
     ]
-    what, missed, first = list(next(iter(reached.values()))), summary["promise_rms_mm"], next(iter(reached))
-    sections = [
+    reached, missed = (summary[name] for name in ("reached", "promise_rms_mm"))
+    shares = [
+        [what, *(over_seeds([s and 100 * s for s in reached[how][what]], "{:.1f} %") for how in titles)]
+        for what in next(iter(reached.values()))
+    ]
+    misses = [[mm, *(over_seeds(missed[how][mm]) for how in titles)] for mm in next(iter(missed.values()))]
+    return document(
         "# How many bits the data carry",
         f"`{summary['command']}` wrote this page. {summary['seeds']} seeds; from {summary['steps']} "
         "interactions of each, chosen by disagreement, symbols of several widths were learned (bits of "
@@ -193,29 +211,16 @@ def page(summary: Mapping[str, Any]) -> str:
         "has one action for a symbol in all categories, the one with the lowest error; the others have one "
         "for each category. Means and standard deviations of the seeds.",
         "## What was learned",
-        markdown_table(
-            ["bits", "categories", "action symbols", "operators", "median spread [mm]", "90 % [mm]"], rows
-        ),
+        table(["bits", "categories", "action symbols", "operators", "median spread [mm]", "90 % [mm]"], rows),
         "The spread of an operator is the length of the standard deviations of what it does to its category; "
         "what it promises for the object at hand is nearer.",
         "## Goals reached",
-        markdown_table(
-            ["tasks", *titles.values()],
-            [[of, *(in_percent(reached[how][of]) for how in titles)] for of in what],
-        ),
+        table(["tasks", *titles.values()], shares),
         "## Promises",
         "Distance between what the operator of a step promised for the object at hand and what came, with "
         "replanning; root mean square [mm].",
-        markdown_table(
-            ["tasks", *titles.values()],
-            [[of, *(in_millimetres(missed[how][of]) for how in titles)] for of in missed[first]],
-        ),
-    ]
-    return "\n\n".join(sections) + "\n"
-
-
-def _spread(values: Sequence[float]) -> str:
-    return f"{mean(values):.1f}" + (f" ± {stdev(values):.1f}" if len(values) > 1 else "")
+        table(["tasks", *titles.values()], misses),
+    )
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ objects of its category, and once more on each object that it left upright, from
 prints the two tables.
 """
 
+from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
 from typing import Annotated
@@ -12,7 +13,6 @@ from typing import Annotated
 import numpy as np
 import tyro
 
-from neurosym.evaluation.summary import markdown_table
 from neurosym.grounding import Grounding, is_lift
 from neurosym.learning.network import EffectModel
 from neurosym.operators import TOLERANCE, Operator
@@ -24,12 +24,15 @@ from neurosym.tasks.promises import promised
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.workers import Task
 from neurosym.worlds.world_file import read_world
+from tools.benchmarks.options import Workers
+from tools.benchmarks.tables import table
 
 EDGES = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0)
 """What is said is counted between these."""
 UNSURE = (0.1, 0.9)
 """Where it is said to be unsure whether a promise is kept, trying again is of interest."""
 _STREAM = 0x6368  # keeps these objects apart from all others
+Pair = tuple[Operator, Scene]
 
 
 def main(
@@ -37,40 +40,40 @@ def main(
     *,
     objects: Annotated[int, tyro.conf.arg(help="Objects of each category.")] = 40,
     seed: Annotated[int, tyro.conf.arg(help="Where all draws start.")] = 7,
-    workers: Annotated[int, tyro.conf.arg(help="Processes that simulate.")] = 2,
+    workers: Workers = 2,
 ) -> None:
     """Perform, count, print."""
     factory, grounding = read_world(folder / WORLD), Grounding.load(folder / GROUNDING)
     categorise = EffectModel.load(folder / MODEL).object_symbols
     sample = sample_by_category(factory(), categorise, least=objects, seed=seed, stream=_STREAM)
+    actions = {one.label: np.array(one.action) for one in grounding.operators.primitives}
+
+    def performed(pairs: Sequence[Pair], label: str) -> tuple[list[Outcome], np.ndarray, np.ndarray]:
+        """Return outcomes, the chance that was said of each, and whether the promise was kept."""
+        with progress_bar(label) as advance:
+            tasks = [Task(scene, actions[operator.label]) for operator, scene in pairs]
+            outcomes = list(perform(factory, tasks, workers, advance))
+        judged = [_judged(grounding, *pair, outcome) for pair, outcome in zip(pairs, outcomes, strict=True)]
+        said, kept = np.array(judged, dtype=float).reshape(-1, 2).T
+        return outcomes, said, kept
+
     pairs = [
         (operator, scene)
         for operator in grounding.live
         for scene in sample.scenes.get(operator.category, ())[:objects]
     ]
-    actions = {one.label: np.array(one.action) for one in grounding.operators.primitives}
-    with progress_bar("performing") as advance:
-        tasks = [Task(scene, actions[operator.label]) for operator, scene in pairs]
-        first = list(perform(factory, tasks, workers, advance))
-    before = [_judged(grounding, *pair, outcome) for pair, outcome in zip(pairs, first, strict=True)]
-    said, kept = (np.array(column, dtype=float) for column in zip(*before, strict=True))
+    first, said, kept = performed(pairs, "performing")
     again = [
         number
         for number, outcome in enumerate(first)
         if outcome.kind in ("resting", "held") and UNSURE[0] <= said[number] <= UNSURE[1]
     ]
-    with progress_bar("performing again") as advance:
-        tasks = [Task(first[number].end, actions[pairs[number][0].label]) for number in again]
-        second = list(perform(factory, tasks, workers, advance))
-    rows = [
-        _judged(grounding, pairs[number][0], first[number].end, outcome)
-        for number, outcome in zip(again, second, strict=True)
-    ]
+    _, _, kept_again = performed([(pairs[n][0], first[n].end) for n in again], "performing again")
     base = np.array([grounding.operator_named(operator.name).chance for operator, _ in pairs])
+    scores = [f"{((chances - kept) ** 2).mean():.4f}" for chances in (said, base)]
     say(
-        f"{len(pairs)} performances; Brier score {_brier(said, kept):.4f}, of the operators' mean chances "
-        f"{_brier(base, kept):.4f}\n\n{_said_and_kept(said, kept)}\n\n"
-        + _tried_again(said[again], kept[again], np.array([kept for _, kept in rows]))
+        f"{len(pairs)} performances; Brier score {scores[0]}, of the operators' mean chances {scores[1]}\n\n"
+        f"{_said_and_kept(said, kept)}\n\n{_tried_again(said[again], kept[again], kept_again)}"
     )
 
 
@@ -85,19 +88,19 @@ def _judged(grounding: Grounding, operator: Operator, scene: Scene, outcome: Out
     return promise.chance, outcome.kind == promise.promise.kind and bool(near)
 
 
-def _brier(said: np.ndarray, kept: np.ndarray) -> float:
-    return float(((said - kept) ** 2).mean())
-
-
 def _said_and_kept(said: np.ndarray, kept: np.ndarray) -> str:
     """Write how often promises were kept, by what was said."""
-    rows = []
-    for low, high in pairwise(EDGES):
-        inside = (said >= low) & (said < high)
-        if inside.any():
-            cells = (f"{said[inside].mean():.0%}", f"{kept[inside].mean():.0%}")
-            rows.append([f"{low:.0%} to {high:.0%}", str(inside.sum()), *cells])
-    return markdown_table(["chance said", "performances", "mean", "kept"], rows)
+    rows = [
+        [
+            f"{low:.0%} to {high:.0%}",
+            str(inside.sum()),
+            f"{said[inside].mean():.0%}",
+            f"{kept[inside].mean():.0%}",
+        ]
+        for low, high in pairwise(EDGES)
+        if (inside := (said >= low) & (said < high)).any()
+    ]
+    return table(["chance said", "performances", "mean", "kept"], rows)
 
 
 def _tried_again(said: np.ndarray, first: np.ndarray, second: np.ndarray) -> str:
@@ -107,7 +110,7 @@ def _tried_again(said: np.ndarray, first: np.ndarray, second: np.ndarray) -> str
         for name, chosen in (("kept", first == 1), ("not kept", first == 0))
         if chosen.any()
     ]
-    return markdown_table(["first time", "objects", "chance said before", "kept the second time"], rows)
+    return table(["first time", "objects", "chance said before", "kept the second time"], rows)
 
 
 if __name__ == "__main__":

@@ -7,35 +7,30 @@ from typing import Any
 import numpy as np
 
 from neurosym.stages.plan_records import MORE_MOTIONS
-from tools.benchmarks.planning.trials import Followed, Step, Trial
+from tools.benchmarks.planning.trials import Step, Trial
 
 BIN = 50
 """Least number of plans in a bin of the calibration."""
 TELLING = 20
 """Least number of steps of a category that can be the worst."""
+WAYS = ("blind", "replanned")
 _RESAMPLES = 2000
 
 
-def reached(trials: Sequence[Trial], way: str = "replanned") -> int:
-    """Count the trials that ended at their goal; one without a plan did not."""
-    runs: Iterable[Followed | None] = (getattr(trial, way) for trial in trials)
-    return sum(run is not None and run.reached for run in runs)
-
-
 def share(trials: Sequence[Trial], way: str = "replanned") -> float | None:
-    """Return the share of trials that ended at their goal; None if there are none."""
-    return reached(trials, way) / len(trials) if trials else None
+    """Return the share of trials that ended at their goal, which needs a plan; None if there are none."""
+    runs = [getattr(trial, way) for trial in trials]
+    return sum(run is not None and run.reached for run in runs) / len(runs) if runs else None
 
 
 def steps_of(trials: Iterable[Trial], way: str = "replanned") -> list[Step]:
     """List the steps that were executed, of all trials."""
-    runs: Iterable[Followed | None] = (getattr(trial, way) for trial in trials)
-    return [step for run in runs if run for step in run.steps]
+    return [step for trial in trials if (run := getattr(trial, way)) for step in run.steps]
 
 
-def motions(trials: Sequence[Trial], way: str = "replanned") -> float | None:
+def motions(trials: Sequence[Trial]) -> float | None:
     """Return the mean number of primitives performed for a task with a plan; None if there is none."""
-    counts = [len(run.steps) for trial in trials if (run := getattr(trial, way))]
+    counts = [len(trial.replanned.steps) for trial in trials if trial.replanned]
     return float(np.mean(counts)) if counts else None
 
 
@@ -47,7 +42,7 @@ def promise_errors(steps: Sequence[Step]) -> dict[str, Any]:
             by_category[step.category].append(step.error)
     every = [error for errors in by_category.values() for error in errors]
     telling = {name: _rms(errors) for name, errors in by_category.items() if len(errors) >= TELLING}
-    worst = max(telling, key=lambda name: telling[name], default=None)
+    worst = max(telling, key=lambda name: telling[name] or 0.0, default=None)
     return {
         "steps": len(every),
         "all": _rms(every),
@@ -55,6 +50,20 @@ def promise_errors(steps: Sequence[Step]) -> dict[str, Any]:
         "worst": telling[worst] if worst else None,
         "worst_median": float(np.median(by_category[worst])) if worst else None,
         "worst_category": worst,
+    }
+
+
+def promises(trials: Sequence[Trial], way: str) -> dict[str, Any]:
+    """Say how far steps ended from their promise [mm], the first ones, too, and whether in its way."""
+    steps = steps_of(trials, way)
+    firsts = [step for trial in trials for step in steps_of([trial], way)[:1]]
+    told = [step for step in steps if step.kind_promised is not None]
+    kept = sum(step.kind_seen == step.kind_promised for step in told)
+    return {
+        **promise_errors(steps),
+        "interval": rms_interval(trials, way),
+        "first": _rms([step.error for step in firsts if step.error is not None]),
+        "kinds_kept": kept / len(told) if told else None,
     }
 
 
@@ -74,65 +83,52 @@ def rms_interval(trials: Sequence[Trial], way: str = "replanned") -> tuple[float
     return float(low), float(high)
 
 
-def first_rms(trials: Sequence[Trial], way: str = "replanned") -> float | None:
-    """Return the RMS of promises of the first step of each run [mm]; None if there is no such step."""
-    firsts = [steps_of([trial], way)[:1] for trial in trials]
-    return _rms([step.error for steps in firsts for step in steps if step.error is not None])
-
-
-def kinds_kept(steps: Sequence[Step]) -> float | None:
-    """Return the share of steps that ended in the way they promised; None if none did promise."""
-    told = [step for step in steps if step.kind_promised is not None]
-    return sum(step.kind_seen == step.kind_promised for step in told) / len(told) if told else None
-
-
 def ended_by(trials: Iterable[Trial]) -> dict[str, int]:
     """Count what ended the trials that missed: how the run ended, and the worst that happened in it."""
-    counted: Counter[str] = Counter()
-    for trial in trials:
-        run = trial.replanned
-        if run is None:
-            counted[f"no plan at the start ({trial.status})"] += 1
-        elif not run.reached:
-            counted[f"{run.ended}: {run.kind}"] += 1
-    return dict(sorted(counted.items(), key=lambda item: (-item[1], item[0])))
+    return counted(
+        f"{trial.replanned.ended}: {trial.replanned.kind}"
+        if trial.replanned
+        else f"no plan at the start ({trial.status})"
+        for trial in trials
+        if not (trial.replanned and trial.replanned.reached)
+    )
+
+
+def counted(names: Iterable[str]) -> dict[str, int]:
+    """Count names but empty ones, the most frequent first."""
+    known = Counter(filter(None, names))
+    return dict(sorted(known.items(), key=lambda item: (-item[1], item[0])))
 
 
 def calibration(trials: Iterable[Trial]) -> dict[str, Any]:
     """Compare the printed chances of plans with how often they came true, followed blindly."""
-    known = [trial for trial in trials if trial.blind and trial.chance is not None]
     return _calibrated(
-        np.array([trial.chance for trial in known], dtype=float),
-        np.array([trial.blind.reached for trial in known if trial.blind], dtype=float),
+        [(trial.chance, trial.blind.reached) for trial in trials if trial.blind and trial.chance is not None]
     )
 
 
 def calibration_replanned(trials: Iterable[Trial]) -> dict[str, Any]:
     """Compare the printed chances to be there in so many motions with how often plans were, planned anew."""
-    known = [trial for trial in trials if trial.replanned and trial.chance_replanned is not None]
-    came = [
-        trial.replanned.reached and len(trial.replanned.steps) <= trial.primitives + MORE_MOTIONS
-        for trial in known
-        if trial.replanned
-    ]
     return _calibrated(
-        np.array([trial.chance_replanned for trial in known], dtype=float), np.array(came, dtype=float)
+        [
+            (trial.chance_replanned, run.reached and len(run.steps) <= trial.primitives + MORE_MOTIONS)
+            for trial in trials
+            if (run := trial.replanned) and trial.chance_replanned is not None
+        ]
     )
 
 
-def _calibrated(chances: np.ndarray, came: np.ndarray) -> dict[str, Any]:
+def _calibrated(pairs: Sequence[tuple[float, bool]]) -> dict[str, Any]:
+    """Compare chances with what came: the Brier score is the mean squared distance between the two."""
+    chances, came = np.array(pairs, dtype=float).reshape(-1, 2).T
+    known = len(came) > 0
     return {
         "plans": len(chances),
-        "brier": brier(chances, came) if len(came) else None,
-        "base_rate": float(came.mean()) if len(came) else None,
-        "brier_of_base_rate": brier(np.full(len(came), came.mean()), came) if len(came) else None,
+        "brier": float(np.mean((chances - came) ** 2)) if known else None,
+        "base_rate": float(came.mean()) if known else None,
+        "brier_of_base_rate": float(np.mean((came.mean() - came) ** 2)) if known else None,
         "bins": bins(chances, came),
     }
-
-
-def brier(chances: np.ndarray, came: np.ndarray) -> float:
-    """Return the mean squared distance between chances and what came, 1 for true and 0 for false."""
-    return float(np.mean((chances - came) ** 2))
 
 
 def bins(chances: np.ndarray, came: np.ndarray, least: int = BIN) -> list[dict[str, float]]:

@@ -5,77 +5,42 @@ No two jobs write the same file, so that any number can run at once; each says w
 
 import os
 import resource
-import shutil
-import statistics
-import subprocess
-import sys
-import tempfile
 import time
 from collections.abc import Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from typing import Any
 
 import msgspec
 import numpy as np
 
-from neurosym.commands.learn import init
+from neurosym.data.origin import StrategyName
 from neurosym.errors import NeurosymError
 from neurosym.evaluation.comparison import Bench, compare, planner_of
+from neurosym.evaluation.paper_tables import KINDS, LEAST_OBJECTS, LEAST_SHARE, kind_of
 from neurosym.execution.executor import execute
 from neurosym.execution.rerun import summarise_run
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.planners import PlanResult, PlanStatus, plan
-from neurosym.planners.action_counts import fewest_steps
-from neurosym.planners.bfs import branching_of, plan_bfs
 from neurosym.problems import Problem
-from neurosym.stages.compilation import compile_stage
-from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import MODEL, PRIMITIVES, WORLD
-from neurosym.stages.learning import distill_stage, explore_stage, train_stage
-from neurosym.stages.pipeline import CELL
-from neurosym.tasks.transition import validate
-from tools.benchmarks.planning.tasks import draw_symbolic
-from tools.benchmarks.planning.trials import PLANNER
+from neurosym.tasks.transition import primitives, validate
+from tools.benchmarks import domains
+from tools.benchmarks.domains import bench_of
+from tools.benchmarks.planning.tasks import draw_symbolic, fewest_steps
+from tools.benchmarks.planning.trials import PLANNER, to_json, try_task
 
 TIME_LIMIT = 30.0  # of one plan for a drawn task [s]
 CAP = 30.0  # of one plan for a scaling task [s]
-REHEARSALS = 100
 GIVE_UP = 2  # time-outs in one cell, after which its other tasks are not tried
-REPEATS = 7
 
 
-def learn(folder: Path, strategy: str, seed: int, steps: int) -> dict[str, Any]:
-    """Explore, train, distil and compile, each unless it is done; the same as by the command line."""
+def learn(folder: Path, strategy: StrategyName, seed: int, steps: int) -> dict[str, Any]:
+    """Explore, train, distil and compile, each unless it is done."""
     begin = time.perf_counter()
-    if not (folder / WORLD).exists():
-        init(folder)
-    domain = DomainFolder(folder)
-    for stage in (
-        explore_stage(domain, strategy=strategy, steps=steps, seed=seed, regime="default", workers=1),
-        train_stage(domain, seed=seed, regime="default"),
-        distill_stage(domain, objects=REHEARSALS, seed=seed, workers=1),
-        compile_stage(domain, cell=CELL),
-    ):
-        domain.perform(stage, again=False)
-    bench = bench_of(folder)
-    return {"seconds": time.perf_counter() - begin, "live": len(bench.setting.grounding.live)}
-
-
-def prepare(folder: Path) -> bool:
-    """Compile a domain that was distilled, unless it is done; say whether there is one."""
-    if not all((folder / name).exists() for name in (MODEL, PRIMITIVES)):
-        return False
-    domain = DomainFolder(folder)
-    domain.perform(compile_stage(domain, cell=CELL), again=False)
-    return True
-
-
-@cache
-def bench_of(folder: Path) -> Bench:
-    """Load a domain folder, once in each process."""
-    return Bench(DomainFolder(folder))
+    domains.learn(folder, strategy, seed, steps)
+    domains.compiled(folder)
+    live = bench_of(folder).setting.grounding.live
+    return {"seconds": time.perf_counter() - begin, "live": len(live)}
 
 
 def draw(folder: Path, objects: int, seeds: Sequence[int]) -> list[Any]:
@@ -89,8 +54,40 @@ def judge(folder: Path, drawn: Path, *, tolerance: float, planners: Sequence[str
     bench = bench_of(folder)
     return [
         msgspec.to_builtins(compare(bench.setting, task, planners, time_limit=TIME_LIMIT))
-        for task in read_tasks(bench, drawn, tolerance)
+        for task in _read_tasks(bench, drawn, tolerance)
     ]
+
+
+def precise(folder: Path, drawn: Path, *, tolerance: float) -> list[Any]:
+    """Try tasks that were drawn, blindly and with replanning."""
+    bench = bench_of(folder)
+    tasks = _read_tasks(bench, drawn, tolerance)
+    return to_json([try_task(bench.setting, task, blind=True, time_limit=TIME_LIMIT) for task in tasks])
+
+
+def far(folder: Path, objects: int, seeds: Sequence[int]) -> list[Any]:
+    """Try tasks with goals anywhere, with replanning."""
+    bench = bench_of(folder)
+    tasks = [bench.draw(objects, seed, TOLERANCE, "anywhere") for seed in seeds]
+    return to_json([try_task(bench.setting, task, blind=False) for task in tasks])
+
+
+def kinds(folder: Path) -> list[str] | None:
+    """Say which of the six kinds of primitive the operators of a domain are."""
+    return kinds_of(bench_of(folder).setting.grounding)
+
+
+def kinds_of(grounding: Grounding) -> list[str] | None:
+    """Say by the rule of `paper_tables` which kinds there are; None if the rehearsals are not kept."""
+    telling = {one.symbol for one in grounding.operators.categories if one.share >= LEAST_OBJECTS}
+    rehearsed = [op for op in grounding.operators.operators if op.category in telling and op.rehearsals]
+    if not rehearsed:
+        return None
+    found = set()
+    for operator in rehearsed:
+        told = [kind_of(one, grounding.lift_height) for one in operator.rehearsals[: operator.trials]]
+        found |= {kind for kind in KINDS if told.count(kind) >= LEAST_SHARE * len(told)}
+    return [kind for kind in KINDS if kind in found]
 
 
 def symbolic(folder: Path, objects: int, difficulty: str, seeds: Sequence[int]) -> list[Any]:
@@ -108,26 +105,17 @@ def symbolic(folder: Path, objects: int, difficulty: str, seeds: Sequence[int]) 
 def disturbed(folder: Path, drawn: Path) -> list[Any]:
     """Execute plans while an object is nudged once, and replan."""
     bench, found = bench_of(folder), []
-    setting = bench.setting
-    solve = planner_of(setting, PLANNER, time_limit=TIME_LIMIT)
-    for task in read_tasks(bench, drawn, TOLERANCE):
-        result = solve(task, setting.grounding)
-        entry: dict[str, Any] = {
-            "task": task.name,
-            "solvable": result.status is PlanStatus.SOLVED,
-            "status": result.status.value,
-        }
-        if entry["solvable"]:
-            run = execute(
-                setting.world,
-                task,
-                setting.grounding,
-                result.steps,
-                replanner=solve,
-                nudge_seed=int(task.name.rpartition("-")[2]),
-            )
+    world, grounding = bench.setting.world, bench.setting.grounding
+    solve = planner_of(bench.setting, PLANNER, time_limit=TIME_LIMIT)
+    for task in _read_tasks(bench, drawn, TOLERANCE):
+        result = solve(task, grounding)
+        is_solved = result.status is PlanStatus.SOLVED
+        entry: dict[str, Any] = {"task": task.name, "solvable": is_solved, "status": result.status.value}
+        if is_solved:
+            seed = int(task.name.rpartition("-")[2])
+            run = execute(world, task, grounding, result.steps, replanner=solve, nudge_seed=seed)
             entry["nudge"] = msgspec.to_builtins(run.nudge)
-            entry["run"] = msgspec.to_builtins(summarise_run(run, setting.grounding))
+            entry["run"] = msgspec.to_builtins(summarise_run(run, grounding))
         found.append(entry)
     return found
 
@@ -135,46 +123,42 @@ def disturbed(folder: Path, drawn: Path) -> list[Any]:
 def without_costs(folder: Path, drawn: Path) -> list[Any]:
     """Plan as if every operator were as reliable as any other, and follow the plan blindly."""
     bench, found = bench_of(folder), []
-    setting = bench.setting
-    flat = flattened(setting.grounding)
-    for task in read_tasks(bench, drawn, TOLERANCE):
+    world, grounding = bench.setting.world, bench.setting.grounding
+    flat = flattened(grounding)
+    for task in _read_tasks(bench, drawn, TOLERANCE):
         result = plan(task, flat, PLANNER, time_limit=TIME_LIMIT)
         entry: dict[str, Any] = {"task": task.name, "status": result.status.value}
         if result.status is PlanStatus.SOLVED:
-            run = execute(setting.world, task, setting.grounding, result.steps)
-            entry["valid"] = validate(result.steps, task, setting.grounding).valid
-            entry["primitives"] = sum(not step.puts_down for step in result.steps)
-            entry["run"] = msgspec.to_builtins(summarise_run(run, setting.grounding))
+            run = execute(world, task, grounding, result.steps)
+            entry["valid"] = validate(result.steps, task, grounding).valid
+            entry["primitives"] = primitives(result.steps)
+            entry["run"] = msgspec.to_builtins(summarise_run(run, grounding))
         found.append(entry)
     return found
 
 
 def flattened(grounding: Grounding) -> Grounding:
     """Keep the live operators, and let each be as sure of its promise as any other: all cost alike."""
-    table = grounding.operators
+    table, replace = grounding.operators, msgspec.structs.replace
     operators = tuple(
-        msgspec.structs.replace(
-            operator,
-            trials=100,
-            modes=(msgspec.structs.replace(operator.promise, count=100, share=1.0, near_mean=100),),
-        )
-        for operator in table.operators
-        if operator in grounding.live and operator.promise
+        replace(one, trials=100, modes=(replace(one.promise, count=100, share=1.0, near_mean=100),))
+        for one in table.operators
+        if one in grounding.live and one.promise
     )
-    return msgspec.structs.replace(grounding, operators=msgspec.structs.replace(table, operators=operators))
+    return replace(grounding, operators=replace(table, operators=operators))
 
 
 def draw_scaling(folder: Path, objects: int, difficulty: str, seeds: Sequence[int]) -> list[Any]:
     """Draw symbolic tasks, and count the fewest steps of each."""
     bench = bench_of(folder)
     tasks = [draw_symbolic(bench, objects, difficulty, seed) for seed in seeds]
-    fewest = [fewest_steps(task, bench.setting.grounding) for task in tasks]
-    return [{"task": msgspec.to_builtins(t), "fewest": f} for t, f in zip(tasks, fewest, strict=True)]
+    grounding = bench.setting.grounding
+    return [{"task": msgspec.to_builtins(one), "fewest": fewest_steps(one, grounding)} for one in tasks]
 
 
 def scaling(grounding_file: Path, drawn: Path, planner: str, options: Mapping[str, Any]) -> dict[str, Any]:
     """Let one planner plan for symbolic tasks, in a process of its own so that its memory can be told."""
-    grounding, rows = Grounding.load(grounding_file), []
+    grounding, rows = Grounding.load(grounding_file), list[dict[str, Any]]()
     asked = {name: value for name, value in options.items() if name != "costs"}
     planned_in = grounding if options.get("costs", True) else flattened(grounding)
     before = _memory(resource.RUSAGE_SELF)
@@ -191,67 +175,23 @@ def scaling(grounding_file: Path, drawn: Path, planner: str, options: Mapping[st
         seconds = time.perf_counter() - begin
         row = {"status": result.status.value, "seconds": seconds, "fewest": entry["fewest"]}
         if result.status is PlanStatus.SOLVED:
-            row["primitives"] = sum(not step.puts_down for step in result.steps)
+            row["primitives"] = primitives(result.steps)
             row["valid"] = validate(result.steps, task, grounding).valid
         rows.append({**row, "reason": result.reason})
-    memory = {
-        "children": _memory(resource.RUSAGE_CHILDREN),
-        "own": _memory(resource.RUSAGE_SELF),
-        "own_before": before,
-    }
+    own, children = _memory(resource.RUSAGE_SELF), _memory(resource.RUSAGE_CHILDREN)
+    memory = {"children": children, "own": own, "own_before": before}
     return {"rows": rows, "megabytes": memory, "load": os.getloadavg()[0]}
 
 
-def timings(folder: Path, double: Path) -> dict[str, Any]:
-    """Time the whole process of `neurosym plan` for one object, and BFS three deep for two."""
-    bench = bench_of(folder)
-    problems = read_tasks(bench, double, TOLERANCE)
-    tables = [branching_of(problem, bench.setting.grounding) for problem in problems]
-    table = bench.setting.world.table
-    searches = [
-        _seconds(lambda p=p, b=b: plan_bfs(p, b, table)) for p, b in zip(problems, tables, strict=True)
-    ]
-    with tempfile.TemporaryDirectory(prefix="neurosym-timing-") as name:
-        copy = Path(name) / "domain"
-        shutil.copytree(folder, copy, ignore=shutil.ignore_patterns("interactions.npz", "plans", "runs"))
-        ours = DomainFolder(copy)
-        names = [n for n in ours.problem_names() if len(Problem.load(_scene_file(copy, n)).objects) == 1]
-        command = [sys.executable, "-m", "neurosym", "plan", str(copy)]
-        processes = [
-            _seconds(lambda n=n: subprocess.run([*command, n], capture_output=True)) for n in names[:REPEATS]
-        ]
-    return {
-        "plan_process_one_object": processes,
-        "bfs_two_objects_depth_3": searches,
-        "median_plan_process": statistics.median(processes),
-        "median_bfs": statistics.median(searches),
-        "load": os.getloadavg()[0],
-    }
-
-
-def _scene_file(folder: Path, name: str) -> Path:
-    return folder / f"problems/{name}.scene.json"
-
-
-def read_tasks(bench: Bench, drawn: Path, tolerance: float) -> list[Problem]:
+def _read_tasks(bench: Bench, drawn: Path, tolerance: float) -> list[Problem]:
     """Read tasks that were drawn, and give their objects the symbols of this domain."""
-    tasks = msgspec.json.decode(drawn.read_bytes(), type=list[Problem])
-    return [_symbolised(bench, task, tolerance) for task in tasks]
-
-
-def _symbolised(bench: Bench, task: Problem, tolerance: float) -> Problem:
-    symbols = bench.categorise(np.array([item.features for item in task.objects]))
-    items = tuple(
-        msgspec.structs.replace(item, category=symbol)
-        for item, symbol in zip(task.objects, symbols, strict=True)
-    )
-    return msgspec.structs.replace(task, objects=items, tolerance=tolerance)
-
-
-def _seconds(work: Any) -> float:
-    begin = time.perf_counter()
-    work()
-    return time.perf_counter() - begin
+    replace, read = msgspec.structs.replace, []
+    for task in msgspec.json.decode(drawn.read_bytes(), type=list[Problem]):
+        symbols = bench.categorise(np.array([item.features for item in task.objects]))
+        named = zip(task.objects, symbols, strict=True)
+        items = tuple(replace(item, category=symbol) for item, symbol in named)
+        read.append(replace(task, objects=items, tolerance=tolerance))
+    return read
 
 
 def _memory(who: int) -> float:

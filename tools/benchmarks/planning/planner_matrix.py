@@ -15,13 +15,13 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from statistics import median_high
 from typing import Annotated, Any
 
 import msgspec
 import tyro
 
 from neurosym.errors import InvalidPlan
-from neurosym.files import write_atomically
 from neurosym.grounding import Grounding
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.plan_reading import parse_plan
@@ -29,11 +29,9 @@ from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips_problem import printed_cell
 from neurosym.pddl.syntax import SAS, STRIPS, EncodingName
 from neurosym.planners import PLANNERS, PlanStatus, plan
-from neurosym.planners.external import SAS_SUFFIX, plan_program
+from neurosym.planners.external import SAS_SUFFIX, run_limited
 from neurosym.planners.planner import PddlProgram
-from neurosym.planners.planner_table import COARSE, FILE, PROGRAMS, TrackRecord
-from neurosym.planners.process import run_limited
-from neurosym.planners.unified_planning import engine_program
+from neurosym.planners.registry import PROGRAMS
 from neurosym.problems import Problem
 from neurosym.stages.console import say
 from neurosym.stages.folder import DomainFolder
@@ -41,15 +39,14 @@ from neurosym.stages.layout import GROUNDING
 from neurosym.stages.planning import load_problem
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import validate
-from tools.benchmarks.jobs import as_text, load_jobs, machine, perform
-from tools.benchmarks.options import Results, Work
-from tools.benchmarks.places import ROOT
+from tools.benchmarks.jobs import Evaluation, Found, machine
+from tools.benchmarks.options import RESULTS, ROOT, Results, Work
+from tools.benchmarks.tables import listed
 
-RESULTS, WORK, SHIPPED = Path("docs/results"), Path("evaluation/planners"), Path("domains/tabletop")
 TIME_LIMIT = 30.0
 """How long each planner may take [s]."""
-PROBLEMS = {1: 1, 2: 1}
-"""How many problems of the shipped domain are taken, by how many objects they have."""
+Tasks = Mapping[str, tuple[Problem, Grounding]]
+"""Problems by name, with what was learned of their domain."""
 TOY_GOALS = {
     "toy-1": {"item-01": (0.68, 0.16, 0.025)},
     "toy-2": {"item-01": (0.68, 0.08, 0.025), "item-02": (0.8, 0.1, 0.225)},
@@ -62,55 +59,51 @@ READERS = {
     "r.parse_domain(sys.argv[1]); r.parse_instance(sys.argv[2])",
 }
 """Programs that read PDDL and do not plan."""
-REFUSING = {"tamer": partial(plan_program, program=engine_program("tamer"))}
-"""Planners that refuse all of it, for the record."""
-_PLACES, _RELATIONS = "places-", "relations-"
-"""What the names of problems begin with in which objects are carried, and put on and into one another."""
 COLUMNS: tuple[tuple[str, EncodingName, tuple[str, ...]], ...] = (
     ("strips", STRIPS, ("toy-", "task-")),
-    ("strips, places", STRIPS, (_PLACES,)),
-    ("strips, relations", STRIPS, (_RELATIONS,)),
+    ("strips, places", STRIPS, ("places-",)),
+    ("strips, relations", STRIPS, ("relations-",)),
     ("numeric", "numeric", ("toy-", "task-")),
     ("sas", SAS, ("toy-", "task-")),
 )
 """The columns: the title, the encoding, and what the names of its problems begin with."""
 PACKAGES = (
     "unified-planning", "up-fast-downward", "kairos-planner", "up-enhsp", "up-lpg", "up-symk",
-    "kstar-planner", "forbiditerative", "up-pyperplan", "up-aries", "up-tamer", "pddl", "tarski",
+    "pddl", "tarski",
 )  # fmt: skip
 
 
 def main(
     time_limit: Annotated[float, tyro.conf.arg(help="How long each planner may take [s].")] = TIME_LIMIT,
-    work: Work = WORK,
+    work: Work = Path("evaluation/planners"),
     results: Results = RESULTS,
     workers: Annotated[int, tyro.conf.arg(help="Cells at once.")] = 1,
 ) -> None:
     """Fill what is not filled of the matrix, and write the tables."""
-    tasks = {**_toy(), **_shipped(), **_with_places(), **_with_relations()}
-    folder = work / _digest(tasks, time_limit)
-    folder.mkdir(parents=True, exist_ok=True)
-    results.mkdir(parents=True, exist_ok=True)
-    names = [*(planner.name for planner in PROGRAMS), *REFUSING]
+    tasks = _problems()
+    evaluation = Evaluation("planners", work / _digest(tasks, time_limit), results, workers)
+    names, asked = [planner.name for planner in PROGRAMS], _asked(tasks)
     cells = [
-        (name, encoding, task) for encoding, task in _asked(tasks) for name in names if _reads(name, encoding)
+        (name, encoding, task)
+        for encoding, task in asked
+        for name in names
+        if encoding != SAS or encoding in _taken(name)
     ]
     cells.sort(key=lambda cell: cell[1] not in _taken(cell[0])[:1])  # what each does best with comes first
     jobs = {
         ".".join(cell): partial(measure, *cell[:2], *tasks[cell[2]], time_limit=time_limit) for cell in cells
     }
-    read = {
+    jobs |= {
         f"{reader}.{encoding}.{task}": partial(measure_reader, reader, encoding, *tasks[task])
         for reader in READERS
-        for encoding, task in _asked(tasks)
+        for encoding, task in asked
         if encoding != SAS
     }
-    jobs |= read
 
     def report() -> None:
-        _write(load_jobs(folder), results, tasks, time_limit, len(jobs))
+        write_results(evaluation, [*tasks], time_limit, len(jobs))
 
-    perform(folder, jobs, workers, report, label="planners")
+    evaluation.perform(jobs, "planners", report)
     report()
     say(f"wrote {results / 'planners.md'} and {results / 'planners.json'}")
 
@@ -119,13 +112,12 @@ def measure(
     planner: str, encoding: str, problem: Problem, grounding: Grounding, *, time_limit: float
 ) -> dict[str, Any]:
     """Give a planner a problem in an encoding; what came of it."""
-    if remedy := PLANNERS[planner].missing() if planner in PLANNERS else "":
+    if remedy := PLANNERS[planner].missing():
         return {"status": "not installed", "words": remedy}
     fitted = _on_grid(planner, problem, grounding)
     with tempfile.TemporaryDirectory(prefix="neurosym-matrix-") as name:
-        program = _program(planner)
-        files = _written(Path(name), problem, fitted, encoding, costs=program.costs)
-        answer = program.call(*files, time_limit=time_limit)
+        files = _written(Path(name), problem, fitted, encoding)
+        answer = _program(planner).call(*files, time_limit=time_limit)
     found: dict[str, Any] = {
         "status": answer.status.value,
         "cell_mm": _cell_in_mm(encoding, problem, fitted),
@@ -152,7 +144,7 @@ def _cell_in_mm(encoding: str, problem: Problem, fitted: Grounding) -> float | N
 
 def measure_reader(reader: str, encoding: str, problem: Problem, grounding: Grounding) -> dict[str, Any]:
     """Let a reader read a problem in an encoding; whether it did."""
-    fitted = _on_grid("up-fast-downward", problem, grounding)
+    fitted = _on_grid("symk", problem, grounding)
     with tempfile.TemporaryDirectory(prefix="neurosym-matrix-") as name:
         files = _written(Path(name), problem, fitted, encoding)
         command = [sys.executable, "-c", f"import sys; {READERS[reader]}", *map(str, files)]
@@ -161,58 +153,41 @@ def measure_reader(reader: str, encoding: str, problem: Problem, grounding: Grou
     return {"status": status, "words": "" if finished.code == 0 else finished.last_words}
 
 
-def _toy() -> dict[str, tuple[Problem, Grounding]]:
+def _problems() -> Tasks:
+    """Take problems of the toy world, of single objects, places and relations, and shipped ones."""
     sys.path.insert(0, str(ROOT / "tests"))
     import toy_domain
+    import toy_places
+    import toy_relations
 
-    return {name: (toy_domain.problem(goals), toy_domain.grounding()) for name, goals in TOY_GOALS.items()}
+    plain = {name: (toy_domain.problem(goals), toy_domain.grounding()) for name, goals in TOY_GOALS.items()}
+    carried, put = (toy_places.swap(), toy_places.mixed()), (toy_relations.tower(), toy_relations.sorting())
+    return {
+        **plain,
+        **_shipped(),
+        **{f"places-{task.name}": (task, toy_places.grounding()) for task in carried},
+        **{f"relations-{task.name}": (task, toy_relations.grounding()) for task in put},
+    }
 
 
-def _shipped() -> dict[str, tuple[Problem, Grounding]]:
-    """Take the first problems of each size that are not met at the start and that there is a plan for."""
-    folder = DomainFolder(ROOT / SHIPPED)
+def _shipped() -> Tasks:
+    """Take the first problem of one and of two objects that is not met at the start, and has a plan."""
+    folder, found, sizes = DomainFolder(ROOT / "domains/tabletop"), {}, [1, 2]
     grounding = Grounding.load(folder.require(GROUNDING))
-    found: dict[str, tuple[Problem, Grounding]] = {}
-    left = dict(PROBLEMS)
     for name in folder.problem_names():
         problem = load_problem(folder, name)
-        if left.get(len(problem.objects)) and plan(problem, grounding, "counting").steps:
-            left[len(problem.objects)] -= 1
+        if len(problem.objects) in sizes and plan(problem, grounding, "counting").steps:
+            sizes.remove(len(problem.objects))
             found[name] = (problem, grounding)
     return found
 
 
-def _with_places() -> dict[str, tuple[Problem, Grounding]]:
-    """Take two problems of the toy world in which objects are carried to places."""
-    import toy_places
-
-    return {
-        f"{_PLACES}{task.name}": (task, toy_places.grounding())
-        for task in (toy_places.swap(), toy_places.mixed())
-    }
-
-
-def _with_relations() -> dict[str, tuple[Problem, Grounding]]:
-    """Take two problems of the toy world in which objects are put on and into one another."""
-    import toy_relations
-
-    return {
-        f"{_RELATIONS}{task.name}": (task, toy_relations.grounding())
-        for task in (toy_relations.tower(), toy_relations.sorting())
-    }
-
-
-def _asked(tasks: Mapping[str, tuple[Problem, Grounding]]) -> list[tuple[EncodingName, str]]:
+def _asked(tasks: Sequence[str] | Tasks) -> list[tuple[EncodingName, str]]:
     """List which problem is given in which encoding: places and relations only stand on the page."""
     return [(encoding, name) for _, encoding, kinds in COLUMNS for name in tasks if name.startswith(kinds)]
 
 
-def _reads(planner: str, encoding: str) -> bool:
-    """Say whether a planner is given an encoding: all are given PDDL, and SAS+ only those that take it."""
-    return encoding != SAS or encoding in _taken(planner)
-
-
-def _digest(tasks: Mapping[str, tuple[Problem, Grounding]], time_limit: float) -> str:
+def _digest(tasks: Tasks, time_limit: float) -> str:
     """Name what is measured with, so that what was measured with something else is measured again."""
     texts = [_texts(*tasks[name], encoding) for encoding, name in _asked(tasks)]
     return hashlib.sha256(msgspec.json.encode([texts, time_limit])).hexdigest()[:12]
@@ -223,9 +198,10 @@ def _taken(planner: str) -> tuple[str, ...]:
 
 
 def _program(planner: str) -> PddlProgram:
-    """Return what takes the files; what refuses them all takes no encoding."""
-    program = PLANNERS[planner].program if planner in PLANNERS else None
-    return program or PddlProgram(REFUSING[planner], encodings=(), cell=COARSE)
+    """Return what takes the files."""
+    program = PLANNERS[planner].program
+    assert program is not None, f"{planner} reads no files"
+    return program
 
 
 def _on_grid(planner: str, problem: Problem, grounding: Grounding) -> Grounding:
@@ -237,28 +213,24 @@ def _on_grid(planner: str, problem: Problem, grounding: Grounding) -> Grounding:
     return msgspec.structs.replace(grounding, operators=narrowed, cell=cell)
 
 
-def _written(
-    folder: Path, problem: Problem, grounding: Grounding, encoding: str, *, costs: bool = True
-) -> tuple[Path, Path]:
+def _written(folder: Path, problem: Problem, grounding: Grounding, encoding: str) -> tuple[Path, Path]:
     """Write the files of domain and problem, which are one if in SAS+."""
     names = (f"problem{SAS_SUFFIX}",) * 2 if encoding == SAS else ("domain.pddl", "problem.pddl")
     domain, task = (folder / name for name in names)
-    for file, text in zip((domain, task), _texts(problem, grounding, encoding, costs=costs), strict=True):
+    for file, text in zip((domain, task), _texts(problem, grounding, encoding), strict=True):
         file.write_text(text)
     return domain, task
 
 
-def _texts(problem: Problem, grounding: Grounding, encoding: str, *, costs: bool = True) -> tuple[str, str]:
+def _texts(problem: Problem, grounding: Grounding, encoding: str) -> tuple[str, str]:
     if encoding == SAS:
         return (sas_text(problem, grounding),) * 2
-    domain = domain_text(grounding, encoding, costs=costs)
-    return domain, problem_text(problem, grounding, encoding, costs=costs)
+    return domain_text(grounding, encoding), problem_text(problem, grounding, encoding)
 
 
-def _write(
-    found: Mapping[str, Any], results: Path, tasks: Mapping[str, Any], time_limit: float, cells: int
-) -> None:
-    path = results / "planners.json"
+def write_results(evaluation: Evaluation, tasks: Sequence[str], time_limit: float, cells: int) -> None:
+    """Write the figures and the page, and keep what `one_page` measured."""
+    path, found = evaluation.results / "planners.json", evaluation.found()
     page = json.loads(path.read_text()).get("one_page") if path.exists() else None
     values = {
         **({"one_page": page} if page else {}),
@@ -269,27 +241,7 @@ def _write(
         "machine": machine() | {"load": f"{os.getloadavg()[0]:.0f}"} | {n: _version(n) for n in PACKAGES},
         "cells": {name: found[name] for name in sorted(found)},
     }
-    write_atomically(path, as_text(values))
-    write_atomically(results / "planners.md", _page(values))
-    if results == RESULTS:
-        write_atomically(FILE, as_text(msgspec.to_builtins(record_of(values))))
-
-
-def record_of(values: Mapping[str, Any]) -> TrackRecord:
-    """Return what each planner solved of shipped problems, in the encodings that it takes and was given."""
-    problems = tuple(name for name in values["problems"] if name.startswith("task-"))
-    solved: dict[str, dict[str, int]] = {planner.name: {} for planner in PROGRAMS}
-    for planner in PROGRAMS:
-        for encoding in planner.encodings:
-            cells = [values["cells"].get(f"{planner.name}.{encoding}.{name}") for name in problems]
-            if all(cells):
-                count = sum(cell["status"] == "solved" for cell in cells)
-                solved[planner.name][encoding] = count
-    return TrackRecord(problems, values["time_limit"], solved)
-
-
-def _without_costs() -> str:
-    return " and ".join(planner.name for planner in PROGRAMS if not _program(planner.name).costs)
+    evaluation.write(values, _page(values), records=False)
 
 
 def _version(name: str) -> str:
@@ -314,20 +266,19 @@ def _page(values: Mapping[str, Any]) -> str:
         "on a finer grid in the end, which is not done here. What is carried to places has problems of its",
         "own: two that change places, and one that is carried to where another must be pushed away. So have",
         "relations: a tower of three, and a stack to be sorted into two trays. Only Fast Downward is given",
-        f"`sas`, which no file of a domain says. {_without_costs()} read no prices, and are given none.",
+        "`sas`, which no file of a domain says.",
         "",
         f"| planner | usual | {' | '.join(title for title, *_ in COLUMNS)} |",
         "|---|---|" + "---|" * len(COLUMNS),
     ]
-    for name in [*(planner.name for planner in PROGRAMS), *REFUSING, *READERS]:
+    for name in [*(planner.name for planner in PROGRAMS), *READERS]:
         row = [_cell(values["cells"], name, encoding, kinds) for _, encoding, kinds in COLUMNS]
-        usual, *_ = ("reads only",) if name in READERS else (_taken(name) or ("none",))
+        usual, *_ = ("reads only",) if name in READERS else _taken(name)
         lines.append(f"| {name} | {usual} | {' | '.join(row)} |")
-    versions = ", ".join(f"{name} {value}" for name, value in values["machine"].items())
-    return "\n".join([*lines, "", f"Measured with {versions}.", ""])
+    return "\n".join([*lines, "", f"Measured with {listed(values['machine'])}.", ""])
 
 
-def _cell(cells: Mapping[str, Any], name: str, encoding: str, kinds: Sequence[str]) -> str:
+def _cell(cells: Found, name: str, encoding: str, kinds: Sequence[str]) -> str:
     begin = tuple(f"{name}.{encoding}.{kind}" for kind in kinds)
     found = [cell for key, cell in cells.items() if key.startswith(begin)]
     if not found:
@@ -340,15 +291,10 @@ def _cell(cells: Mapping[str, Any], name: str, encoding: str, kinds: Sequence[st
     if not solved:
         return f"0/{len(found)}: {words}"
     valid = sum(cell["valid"] for cell in solved)
-    seconds, steps = _median([c["seconds"] for c in solved]), _median([c["steps"] for c in solved])
+    seconds, steps = (median_high([c[name] for c in solved]) for name in ("seconds", "steps"))
     grid = f", {solved[0]['cell_mm']:g} mm" if solved[0]["cell_mm"] else ""
     text = f"**{len(solved)}/{len(found)}**, {valid} valid, {seconds:g} s, {steps:g} steps{grid}"
     return text + (f"; {words}" if words else "")
-
-
-def _median(values: Sequence[float]) -> float:
-    ordered = sorted(values)
-    return ordered[len(ordered) // 2]
 
 
 if __name__ == "__main__":

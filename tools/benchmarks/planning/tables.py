@@ -1,23 +1,28 @@
 """The results of `evaluate.py` as pages of Markdown tables."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
-NOT_YET = "not measured yet"
+from neurosym.stages.plan_records import MORE_MOTIONS
+from tools.benchmarks.planning.figures import WAYS
+from tools.benchmarks.tables import NOT_YET, counts, document, listed, number, percent, table, with_interval
+
+Figures = Mapping[str, Any]
 _SHARES = ("found", "valid", "reached", "reached_with_replanning")
 _SHARE_NAMES = ("plan found", "valid in the model", "reached, followed blindly", "reached with replanning")
+_exactly, _nearly = partial(percent, digits=1), partial(number, digits=1)
 
 
-def page(results: Mapping[str, Any], trials: Sequence[str] = ()) -> str:
+def page(results: Figures) -> str:
     """Write the page."""
-    versions = ", ".join(f"{name} {value}" for name, value in results["versions"].items())
     missing, size = results["missing"], results["size"]
     unfinished = f" **Not finished**: {missing} jobs to do; the same command goes on." if missing else ""
-    sections = [
+    return document(
         "# Planning, measured",
         f"By `{results['command']}`, which wrote this page, `planning.json` and `planning.png`; "
-        f"[scaling.md](scaling.md) is about size. Machine: {versions}. Means ± standard deviations over "
-        f"seeds; docs/planning.md says what is what.{unfinished}",
+        f"[scaling.md](scaling.md) is about size. Machine: {listed(results['versions'])}. Means ± standard "
+        f"deviations over seeds; docs/planning.md says what is what.{unfinished}",
         "## Table III: goals reached",
         f"{size['tasks']} tasks with one and {size['tasks']} with two objects, drawn as the paper draws them "
         "(section III-E: random scene, random action, its result is the goal, mid-air included), the same "
@@ -32,14 +37,10 @@ def page(results: Mapping[str, Any], trials: Sequence[str] = ()) -> str:
         _paper(results["paper"]),
         "## The same within 20 mm",
         _table3(results["table3_at_20_mm"]),
-        *trials,
+        *_trial_sections(results),
         "## Where the two models disagree, and what went wrong",
         "In the shipped domain, at 50 mm; numbers of tasks.",
         *(f"**{kind}**\n\n{_reasons(reasons)}" for kind, reasons in results["reasons"].items()),
-        "## Off the table, and into others",
-        "In the runs of the shipped domain. *Touched* and *moved* are shares of the interactions in which "
-        "the robot touched another object, and of other objects that ended elsewhere; *off the table*: runs.",
-        _collisions(results["collisions"]),
         "## Plans that are true in the model",
         "Symbolic tasks in the shipped domain: goals that are 1 to 3 (easy) or 5 to 8 (hard) primitives away "
         "for each object alone, by the shortest plan, and for which a plan together is known. *Valid*: share "
@@ -61,25 +62,31 @@ def page(results: Mapping[str, Any], trials: Sequence[str] = ()) -> str:
         "An object is nudged once during the run by 3 to 8 cm, in a direction and before a step drawn from a "
         "seed. Share of those with a plan at the start that end at their goal; the aim is 90 %.",
         _disturbed(results["disturbed"]),
-        "## Seconds",
-        _timings(results["timings"]),
-    ]
-    return "\n\n".join(sections) + "\n"
+    )
 
 
-def _table3(table: Mapping[str, Any]) -> str:
+def _rows(cells: Figures, known: str, cells_of: Callable[[Figures], Sequence[str]]) -> list[list[str]]:
+    """Write a row for each cell that holds something, begun by its name."""
+    return [[name, *cells_of(cell)] for name, cell in cells.items() if cell[known]]
+
+
+def _texts(cell: Figures, *names: str) -> list[str]:
+    return [str(cell[name]) for name in names]
+
+
+def _table3(results: Figures) -> str:
     rows = []
-    for strategy, kinds in table.items():
+    for strategy, kinds in results.items():
         for kind, planners in kinds.items():
             for planner, cell in planners.items():
                 seeds = len(cell["by_seed"])
-                shares = [_share(cell[name], cell["spread"][name] if seeds > 1 else None) for name in _SHARES]
+                spreads = cell["spread"] if seeds > 1 else {}
+                shares = [percent(cell[name], spreads.get(name)) for name in _SHARES]
                 rows.append([strategy, kind, planner, str(seeds), str(cell["tasks"]), *shares])
-    columns = ["domain", "objects", "planner", "seeds", "tasks", *_SHARE_NAMES]
-    return markdown(columns, rows)
+    return table(["domain", "objects", "planner", "seeds", "tasks", *_SHARE_NAMES], rows)
 
 
-def _paper(paper: Mapping[str, Mapping[str, float]]) -> str:
+def _paper(paper: Figures) -> str:
     told = "; ".join(
         f"{kind}: " + ", ".join(f"{name} {share:.0%}" for name, share in shares.items())
         for kind, shares in paper.items()
@@ -90,134 +97,227 @@ def _paper(paper: Mapping[str, Mapping[str, float]]) -> str:
     )
 
 
-def _reasons(reasons: Mapping[str, Any]) -> str:
+def _reasons(reasons: Figures) -> str:
     if not reasons["tasks"]:
         return NOT_YET
     rows = [["-", "no planner has a plan", str(reasons["solved_by_none"])]]
-    for planner, words in (("bfs", "bfs"), ("fast-downward", "fast-downward")):
+    for planner in ("bfs", "fast-downward"):
         told = reasons[planner]
-        for title, counts in (
+        for title, found in (
             ("no plan", reasons["without_plan"][planner]),
             ("no plan, and the other has one", told["unfound"]),
             ("plan not valid", told["invalid"]),
             ("missed, followed blindly", told["missed"]),
             ("missed in spite of replanning", told["missed_with_replanning"]),
         ):
-            rows += [[words, f"{title}: {reason}", str(count)] for reason, count in counts.items()]
-        rows.append([words, "plans that the network predicts to arrive", str(told["predicted"])])
-        rows.append([words, "new plans asked for, in all runs", str(told["replans"])])
-    return markdown(["planner", "what", f"of {reasons['tasks']}"], rows)
+            rows += [[planner, f"{title}: {reason}", str(count)] for reason, count in found.items()]
+        rows.append([planner, "plans that the network predicts to arrive", str(told["predicted"])])
+        rows.append([planner, "new plans asked for, in all runs", str(told["replans"])])
+    return table(["planner", "what", f"of {reasons['tasks']}"], rows)
 
 
-def _collisions(kinds: Mapping[str, Any]) -> str:
-    rows = [
-        [kind, way, str(cell["runs"]), str(cell["interactions"])]
-        + [_share(cell[name]) for name in ("kept", "touched", "disturbed", "off_table")]
-        for kind, ways in kinds.items()
-        for way, cell in ways.items()
-        if cell["runs"]
-    ]
-    columns = ["objects", "runs of", "runs", "interactions", "as promised"]
-    return markdown([*columns, "another touched", "another moved", "off the table"], rows)
-
-
-def _symbolic(results: Mapping[str, Any]) -> str:
+def _symbolic(results: Figures) -> str:
     rows = [
         [
             size,
-            *(str(cell[name]) for name in ("tasks", "found", "valid")),
-            *(_share(cell[name], digits=1) for name in ("valid_share", "solved_when_bfs_solves")),
+            *_texts(cell, "tasks", "found", "valid"),
+            *(_exactly(cell[name]) for name in ("valid_share", "solved_when_bfs_solves")),
             str(cell["bfs_solves"]),
-            _share(cell["solved_when_counting_solves"], digits=1),
-            _number(cell["fewest"]),
-            _number(cell["extra_steps"]),
-            _share(cell["shortest"]),
-            _number(cell["seconds"]),
+            _exactly(cell["solved_when_counting_solves"]),
+            *(number(cell[name]) for name in ("fewest", "extra_steps")),
+            percent(cell["shortest"]),
+            number(cell["seconds"]),
         ]
         for size, cell in results["symbolic"].items()
     ]
     if rows:
-        both = [_share(results[name], digits=1) for name in ("valid_share", "solved_when_bfs_solves")]
+        both = [_exactly(results[name]) for name in ("valid_share", "solved_when_bfs_solves")]
         rows.append(["all", "", "", "", *both, "", "", "", "", "", ""])
     columns = ["objects", "tasks", "found", "valid", "valid share", "when BFS solves", "(tasks)"]
     more = ["when counting solves", "fewest steps", "extra steps", "shortest", "median [s]"]
-    return markdown([*columns, *more], rows)
+    return table([*columns, *more], rows)
 
 
-def _network(symbolic: Mapping[str, Any]) -> str:
+def _network(symbolic: Figures) -> str:
     rows = [
         [
             size,
             str(cell["tasks"]),
-            *(str(cell["network_bfs"][name]) for name in ("found", "valid")),
-            _share(cell["network_bfs"]["pddl_when_it_solves"]),
-            _share(cell["predicted_too"]),
+            *_texts(cell["network_bfs"], "found", "valid"),
+            percent(cell["network_bfs"]["pddl_when_it_solves"]),
+            percent(cell["predicted_too"]),
         ]
         for size, cell in symbolic.items()
     ]
     columns = ["objects", "tasks", "found by bfs", "of these valid by the operators"]
-    return markdown(
-        [*columns, "of these solved by Fast Downward", "its plans that the network confirms"], rows
-    )
+    return table([*columns, "of these solved by Fast Downward", "its plans that the network confirms"], rows)
 
 
-def _costs(kinds: Mapping[str, Any]) -> str:
-    rows = [
-        [kind, str(cell["both_found"]), *(_share(cell[name]) for name in ("with_costs", "without_costs"))]
-        + [_number(cell[name]) for name in ("primitives_with", "primitives_without")]
-        for kind, cell in kinds.items()
-        if cell["both_found"]
-    ]
+def _costs(kinds: Figures) -> str:
+    def cells(cell: Figures) -> list[str]:
+        shares = [percent(cell[name]) for name in ("with_costs", "without_costs")]
+        steps = [number(cell[name]) for name in ("primitives_with", "primitives_without")]
+        return [str(cell["both_found"]), *shares, *steps]
+
     columns = ["objects", "tasks", "reached with costs", "reached without"]
-    return markdown([*columns, "primitives with costs", "without"], rows)
+    return table([*columns, "primitives with costs", "without"], _rows(kinds, "both_found", cells))
 
 
-def _disturbed(kinds: Mapping[str, Any]) -> str:
+def _disturbed(kinds: Figures) -> str:
+    def cells(cell: Figures) -> list[str]:
+        numbers = _texts(cell, "tasks", "without_plan", "nudged", "reached")
+        return [*numbers, percent(cell["share"]), str(cell["replans"]), counts(cell["missed"])]
+
+    columns = ["objects", "tasks", "without a plan", "disturbed", "reached", "share", "new plans"]
+    return table([*columns, "why others missed"], _rows(kinds, "tasks", cells))
+
+
+def _trial_sections(results: Figures) -> list[str]:
+    """Tell what came of trials in the shipped domain."""
+    return [
+        "## How near plans come",
+        "The shipped domain, Fast Downward, tasks drawn as above; shares of all tasks with Wilson intervals "
+        "at 95 %. *Blindly* and *replanning* start from the same plan.",
+        _precision(results["precision"]),
+        "## Goals anywhere",
+        "Objects of all shapes, starts and goals uniform over the table, footprints on the table and apart, "
+        "each goal at least 15 cm from the start; 50 mm, with replanning. A task without a plan is a miss. "
+        "*Motions* are primitives that were performed.",
+        _far(results["far_goals"], results["far_details"]),
+        "## Promises, step by step",
+        "Distances between what the operator of a step promised for the object at hand and what came, at "
+        "50 mm. *Worst* is the worst category. A grasp that fails outweighs many other steps, so intervals "
+        "(bootstrap over runs, 95 %) are wide. *First step* is that of each run.",
+        _promises(results["promises"]),
+        "Motions a task, replanned: "
+        + ", ".join(f"{kind} {_nearly(value)}" for kind, value in results["motions"].items())
+        + ". Kinds of primitive, by seed: "
+        + (", ".join(f"{seed}: {len(kinds)}" for seed, kinds in results["kinds_by_seed"].items()) or NOT_YET)
+        + ".",
+        "## The chance that is printed",
+        _calibration(
+            "Chance that `neurosym plan` prints, beside how often the plan came true, followed blindly to "
+            "50 mm",
+            results["calibration"],
+        ),
+        _calibration(
+            f"Chance that it prints of being there within {MORE_MOTIONS} motions more than the plan has, "
+            "beside how often that was so, with replanning",
+            results["calibration_replanned"],
+        ),
+    ]
+
+
+def _precision(results: Figures) -> str:
+    def cells(cell: Figures) -> list[str]:
+        return [str(cell["tasks"]), *(with_interval(cell[way], cell["tasks"]) for way in WAYS)]
+
+    rows = [[f"{mm} mm", *row] for mm, kinds in results.items() for row in _rows(kinds, "tasks", cells)]
+    return table(["within", "objects", "tasks", "followed blindly", "with replanning"], rows)
+
+
+def _far(shares: Figures, details: Figures) -> str:
     rows = [
         [
-            kind,
-            *(str(cell[name]) for name in ("tasks", "without_plan", "nudged", "reached")),
-            _share(cell["share"]),
-            str(cell["replans"]),
-            _counts(cell["missed"]),
+            objects,
+            str(told["tasks"]),
+            with_interval(shares[objects], told["tasks"]),
+            str(told["without_plan"]),
+            *(_nearly(told[name]) for name in ("primitives", "motions")),
+            counts(told["missed"]),
         ]
-        for kind, cell in kinds.items()
-        if cell["tasks"]
+        for objects, told in details.items()
+        if told["tasks"]
     ]
-    columns = ["objects", "tasks", "without a plan", "disturbed", "reached", "share", "new plans"]
-    return markdown([*columns, "why others missed"], rows)
+    columns = ["objects", "tasks", "reached", "without a plan", "primitives of the plan", "motions"]
+    return table([*columns, "what ended the others"], rows)
 
 
-def _timings(timings: Mapping[str, Any] | None) -> str:
-    if not timings:
+def _promises(results: Figures) -> str:
+    def cells(told: Figures) -> list[str]:
+        interval = " to ".join(map(_nearly, told["interval"]))
+        others = [_nearly(told[key]) for key in ("median", "first", "worst", "worst_median")]
+        return [
+            str(told["steps"]),
+            f"{_nearly(told['all'])} ({interval})",
+            *others,
+            percent(told["kinds_kept"]),
+        ]
+
+    columns = ["runs", "steps", "RMS [mm]", "median [mm]", "first step, RMS [mm]"]
+    columns += ["worst RMS [mm]", "its median [mm]", "ended in the way promised"]
+    return table(columns, _rows(results, "steps", cells))
+
+
+def _calibration(what: str, told: Figures) -> str:
+    if not told["plans"]:
         return NOT_YET
+    rows = [
+        [str(part["plans"]), percent(part["chance"]), with_interval(part["reached"], int(part["plans"]))]
+        for part in told["bins"]
+    ]
     return (
-        f"The whole process of `neurosym plan` for one object, median of "
-        f"{len(timings['plan_process_one_object'])}: {timings['median_plan_process']:.2f} s. Breadth-first "
-        f"search, 3 deep, for two objects, median of {len(timings['bfs_two_objects_depth_3'])}: "
-        f"{1000 * timings['median_bfs']:.0f} ms, worst {1000 * max(timings['bfs_two_objects_depth_3']):.0f} "
-        f"ms. Processes that were running meanwhile: {timings['load']:.1f}."
+        f"{what} ({told['plans']} plans). Brier score {told['brier']:.3f}; of the base rate "
+        f"{told['brier_of_base_rate']:.3f}.\n\n{table(['plans', 'mean chance', 'came true'], rows)}"
     )
 
 
-def _counts(counts: Mapping[str, int]) -> str:
-    return ", ".join(f"{reason} ({count})" for reason, count in counts.items()) or "-"
+def scaling_page(results: Figures) -> str:
+    """Write the page about how many objects there are."""
+    scaling, missing = results["scaling"], results["missing"]
+    cap, tasks = scaling["cap_seconds"], scaling["tasks_in_a_cell"]
+    unfinished = f" **Not finished**: {missing} jobs of the evaluation to do." if missing else ""
+    return document(
+        "# Planning at scale, measured",
+        f"By `{results['command']}`, which wrote this page, `scaling.json` and `scaling.png`.{unfinished} "
+        f"{tasks} symbolic tasks in each cell, in the shipped domain with cells of 5 mm: goals that are "
+        "1 to 3 (easy) or 5 to 8 (hard) primitives away for each object alone, by the shortest plan; "
+        "above 4 objects, none is wider than 75 mm. *Object by object*: a problem for each object, plans put "
+        f"one after another; *whole*: one problem. {cap:g} s at most; after two time-outs in a cell, its "
+        "other tasks are not tried. BFS is allowed 3 primitives, which hard goals and many objects exceed.",
+        "![Seconds and steps against objects](scaling.png)",
+        "*Over the fewest*: primitives beyond the fewest there can be, counted exactly. With its costs, Fast "
+        "Downward asks for what is reliable, which takes more steps; *no costs*: all operators cost alike. "
+        "*Memory*: of the largest process, Python's own included.",
+        *(
+            f"## {difficulty.capitalize()} goals\n\n{_contenders(scaling['contenders'], difficulty)}"
+            for difficulty in ("easy", "hard")
+        ),
+        "## Why not",
+        _why_not(scaling["contenders"]),
+    )
 
 
-def _share(share: float | None, spread: float | None = None, digits: int = 0) -> str:
-    if share is None:
-        return "-"
-    told = f"{100 * share:.{digits}f}"
-    return f"{told} ± {100 * spread:.{digits}f} %" if spread is not None else f"{told} %"
+def _contenders(contenders: Figures, difficulty: str) -> str:
+    def cells(cell: Figures) -> list[str]:
+        over = cell["over_fewest"]
+        return [
+            f"{cell['solved']} of {cell['tasks']}",
+            str(cell["valid"]),
+            *(number(cell[name]) for name in ("seconds", "slowest")),
+            _nearly(cell["primitives"]),
+            "-" if over is None else f"{100 * (over - 1):+.0f} %",
+            f"{cell['megabytes']:.0f}",
+        ]
+
+    rows = [
+        [contender, size.split()[0], *cells(cell)]
+        for contender, of_sizes in contenders.items()
+        for size, cell in of_sizes.items()
+        if size.split()[1] == difficulty
+    ]
+    columns = ["planner", "objects", "solved", "valid", "median [s]", "slowest [s]", "primitives"]
+    return table([*columns, "over the fewest", "memory [MB]"], rows)
 
 
-def _number(value: float | None) -> str:
-    return "-" if value is None else f"{value:.2f}"
-
-
-def markdown(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Print a table, or say that there is nothing to print yet."""
-    if not rows:
-        return NOT_YET
-    lines = [columns, ["---"] * len(columns), *rows]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+def _why_not(contenders: Figures) -> str:
+    rows = []
+    for contender, of_sizes in contenders.items():
+        for size, cell in of_sizes.items():
+            left = cell["status"].get("not tried", 0)
+            reasons = {"not tried after two time-outs": left} if left else {}
+            rows += [
+                [contender, size, why, str(count)] for why, count in {**reasons, **cell["reasons"]}.items()
+            ]
+    columns = ["planner", "cell", "what it said", "tasks"]
+    return table(columns, rows)

@@ -8,7 +8,8 @@ from neurosym.evaluation.comparison import Bench
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Operator, vector
 from neurosym.planners import PlanStatus
-from neurosym.planners.action_counts import fewest_steps, plan_counting
+from neurosym.planners.action_counts import MOST_WORK, candidates, choices_of, plan_counting
+from neurosym.planners.planner import Effort
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.transition import PlanStep, validate
 from neurosym.worlds.task_drawing import item_names
@@ -23,6 +24,31 @@ KNOWN = 20_000
 """How much counting looks at for a plan."""
 _STREAM = 0x73796D62  # keeps this randomness apart from any other
 _TRIES, _OBJECT_TRIES = 50, 2000
+
+
+def fewest_steps(problem: Problem, grounding: Grounding) -> int | None:
+    """Return the fewest primitives that can solve a problem, put-downs not counted; None if none are found.
+
+    Each object stays on the table, and at most one ends held. No plan that replays well has fewer; where
+    objects stand in each other's way it may need more.
+
+    Args:
+        problem: The problem.
+        grounding: The learned domain.
+    """
+    rows = zip(problem.object_names, choices_of(problem, grounding), strict=True)
+    total, saved, must_be_held, effort = 0, [0], 0, Effort(MOST_WORK)
+    for choices, goal in [(one, problem.goals[name]) for name, one in rows if name in problem.goals]:
+        free, resting = (
+            next(candidates(choices, goal, problem.tolerance, effort, at_rest=at_rest), None)
+            for at_rest in (False, True)
+        )
+        if free is None:
+            return None
+        total += len((resting or free).moves)
+        must_be_held += resting is None
+        saved.append(len(resting.moves) - len(free.moves) if resting else 0)
+    return None if must_be_held > 1 else total - (0 if must_be_held else max(saved))
 
 
 def draw_symbolic(bench: Bench, objects: int, difficulty: str, seed: int) -> Problem:

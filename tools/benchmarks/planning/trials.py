@@ -1,7 +1,7 @@
 """Trials: a task is planned once, and the plan is followed blindly and with replanning; kept in short."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import msgspec
@@ -18,84 +18,51 @@ from neurosym.stages.plan_records import MORE_MOTIONS
 from neurosym.tasks.chances import expected_success, expected_within
 from neurosym.tasks.promises import promised
 from neurosym.tasks.transition import primitives
-from tools.benchmarks.spent import cpu_seconds
+from tools.benchmarks.jobs import Found, cpu_seconds
 
 PLANNER = "fast-downward"
 
 
 class Step(msgspec.Struct, frozen=True, array_like=True):
-    """One step of a run, lengths in whole millimetres.
-
-    Attributes:
-        operator: Name of the operator.
-        object: Number of the object, counted from 0.
-        category: Symbol of the category that it was taken for.
-        promised: How far it was to move; None if the operator never promised anything.
-        moved: How far it moved.
-        error: Distance between the two displacements, in tenths of a millimetre.
-        kind_promised: How it was to end.
-        kind_seen: How it ended.
-        others: How other objects ended that ended elsewhere.
-    """
+    """One step of a run, lengths in whole millimetres."""
 
     operator: str
-    object: int
-    category: str
-    promised: int | None
+    object: int  # its number, counted from 0
+    category: str  # symbol of the category that it was taken for
+    promised: int | None  # how far it was to move; None if the operator never promised anything
     moved: int
-    error: float | None
-    kind_promised: str | None
+    error: float | None  # distance between the two displacements, in tenths of a millimetre
+    kind_promised: str | None  # how it was to end, and how it did
     kind_seen: str
-    others: tuple[str, ...] = ()
+    others: tuple[str, ...] = ()  # how other objects ended that ended elsewhere
 
 
 class Followed(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What became of a plan in the world.
+    """What became of a plan in the world."""
 
-    Attributes:
-        reached: Whether every goal was met at the end.
-        ended: What ended the run.
-        kind: Why it missed, in a few words, to be counted.
-        reason: The same in a sentence.
-        distances: How far each object ended from its goal [m].
-        steps: The primitives that were performed.
-        replans: Before which steps a new plan was asked for, counted from 0.
-    """
-
-    reached: bool
-    ended: str
-    kind: str
-    reason: str
-    distances: tuple[float, ...]
-    steps: tuple[Step, ...]
-    replans: tuple[int, ...] = ()
+    reached: bool  # whether every goal was met at the end
+    ended: str  # what ended the run
+    kind: str  # why it missed, in a few words, to be counted
+    reason: str  # the same in a sentence
+    distances: tuple[float, ...]  # how far each object ended from its goal [m]
+    steps: tuple[Step, ...]  # the primitives that were performed
+    replans: tuple[int, ...] = ()  # before which steps a new plan was asked for, counted from 0
 
 
 class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What became of one task.
-
-    Attributes:
-        task: Name of the task.
-        status: How the search for a plan ended.
-        reason: Why there is no plan.
-        primitives: How many primitives the first plan has.
-        chance: The chance printed with the plan that it comes true.
-        chance_replanned: The chance printed with it that the goal is reached, with replanning, within
-            `MORE_MOTIONS` motions more than primitives.
-        blind: What became of the plan followed blindly; None if that was not asked for.
-        replanned: What became of it with replanning; None without a plan.
-        cpu: CPU seconds that all of it took.
-    """
+    """What became of one task."""
 
     task: str
-    status: str
-    reason: str = ""
-    primitives: int = 0
-    chance: float | None = None
-    chance_replanned: float | None = None
-    blind: Followed | None = None
-    replanned: Followed | None = None
-    cpu: float = 0.0
+    status: str  # how the search for a plan ended
+    reason: str = ""  # why there is no plan
+    primitives: int = 0  # of the first plan
+    chance: float | None = None  # printed with the plan: that it comes true
+    chance_replanned: float | None = (
+        None  # that the goal is reached in `MORE_MOTIONS` motions more than it has
+    )
+    blind: Followed | None = None  # None if that was not asked for
+    replanned: Followed | None = None  # None without a plan
+    cpu: float = 0.0  # what all of it took [CPU s]
 
 
 def try_task(setting: Setting, task: Problem, *, blind: bool, time_limit: float | None = None) -> Trial:
@@ -107,27 +74,27 @@ def try_task(setting: Setting, task: Problem, *, blind: bool, time_limit: float 
         blind: Whether the plan is also followed blindly.
         time_limit: Ceiling for each plan [s]; the planner's own if not given.
     """
-    begin = cpu_seconds()
+    begin, grounding = cpu_seconds(), setting.grounding
     solve = planner_of(setting, PLANNER, time_limit=time_limit)
-    found = solve(task, setting.grounding)
+    found = solve(task, grounding)
     if found.status is not PlanStatus.SOLVED:
         return Trial(task.name, found.status.value, found.reason, cpu=cpu_seconds() - begin)
-    replanned = execute(setting.world, task, setting.grounding, found.steps, replanner=solve)
+    replanned = execute(setting.world, task, grounding, found.steps, replanner=solve)
     followed = None
     if blind:  # a run in which nothing was planned anew is the one that follows the plan blindly
         anew = bool(replanned.replannings)
-        run = execute(setting.world, task, setting.grounding, found.steps) if anew else replanned
-        followed = shortened(run, task, setting.grounding)
+        run = execute(setting.world, task, grounding, found.steps) if anew else replanned
+        followed = shortened(run, task, grounding)
+    count = primitives(found.steps)
+    within = expected_within(found.steps, task, grounding, count + MORE_MOTIONS)
     return Trial(
         task=task.name,
         status=found.status.value,
-        primitives=primitives(found.steps),
-        chance=round(expected_success(found.steps, task, setting.grounding), 4),
-        chance_replanned=round(
-            expected_within(found.steps, task, setting.grounding, primitives(found.steps) + MORE_MOTIONS), 4
-        ),
+        primitives=count,
+        chance=round(expected_success(found.steps, task, grounding), 4),
+        chance_replanned=round(within, 4),
         blind=followed,
-        replanned=shortened(replanned, task, setting.grounding),
+        replanned=shortened(replanned, task, grounding),
         cpu=round(cpu_seconds() - begin, 2),
     )
 
@@ -173,14 +140,7 @@ def _step(record: StepRecord, task: Problem, grounding: Grounding, before: Vecto
 
 
 def resting_promise(name: str, item: SceneObject, tolerance: float, grounding: Grounding) -> Vector:
-    """Return where an operator promises to bring an object once nothing is held any more [m].
-
-    Args:
-        name: Name of the operator.
-        item: The object.
-        tolerance: How near a step must come to its promise to have kept it [m].
-        grounding: The learned domain.
-    """
+    """Return where an operator promises to bring an object once nothing is held any more [m]."""
     learned = grounding.operator_named(name)
     one_of_these = msgspec.structs.replace(item, category=learned.category)  # as it was when last seen
     operator = promised(grounding, one_of_these, tolerance).get(name, learned)
@@ -194,6 +154,6 @@ def to_json(trials: Sequence[Trial]) -> list[Any]:
     return found
 
 
-def from_json(entries: Sequence[Any]) -> list[Trial]:
-    """Read trials that `to_json` wrote."""
-    return msgspec.convert(list(entries), list[Trial])
+def trials_of(found: Found, names: Iterable[str]) -> list[Trial]:
+    """Read the trials of several jobs; those of jobs that are not done are missing."""
+    return msgspec.convert([entry for name in names for entry in found.get(name, [])], list[Trial])

@@ -7,7 +7,7 @@ What an object is put over is another object of the scene. The action is the one
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from itertools import product
 
 import numpy as np
 
@@ -26,50 +26,39 @@ TARGET, UNDER = 0, 1
 def put_over(objects: int, seed: int, workers: int) -> Results:
     """Put objects of each shape over objects of each shape, and take away again what stands on or in them."""
     table: Results = {}
-    pairs = [(shape, under) for shape in SHAPES for under in SHAPES]
     with crew(factory(), workers) as perform:
-        for done, (shape, under) in enumerate(pairs, 1):
+        for done, (shape, under) in enumerate(product(SHAPES, SHAPES), 1):
             tasks = [_task(shape, under, [seed, done, number]) for number in range(objects)]
             put = [*perform(tasks)]
-            table[f"{shape} over {under}"] = _told(put) | _taken(put, perform, [seed, done])
+            ends = Counter(relation(one, TARGET, UNDER) for one in put if one.kind == "carried")
+            table[f"{shape} over {under}"] = {
+                "tried": len(put),
+                "carried": ends.total(),
+                "ends": dict(sorted(ends.items())),
+                **_taken(put, perform, [seed, done]),
+            }
     return table
 
 
 def _task(shape: str, under: str, seed: Sequence[int]) -> Task:
-    """Draw an object that can be grasped, and another."""
-    rng, config = np.random.default_rng(seed), TabletopConfig()
+    """Draw an object of a shape that can be grasped, and another with room between them for the hand."""
+    rng = np.random.default_rng(seed)
     while True:
-        scene = _with_shapes(sample_scene(config, rng, 2), shape, under, rng)
-        action = carry_to(scene.features[TARGET])
-        if action is not None and _is_apart(scene):
-            return Task(scene, action, TARGET, reference=OtherObject(UNDER))
+        scene = sample_scene(TabletopConfig(), rng, 2)
+        features = np.vstack(
+            [sample_features(TabletopConfig(shapes={name: 1.0}), rng, 1) for name in (shape, under)]
+        )
+        positions = np.column_stack([scene.positions[:, :2], features[:, 2] / 2])
+        gap = np.abs(np.subtract(*positions)) - features[:, :3].sum(0) / 2
+        action = carry_to(features[TARGET])
+        if action is not None and gap[:2].max() >= MARGIN:
+            reference = OtherObject(UNDER)
+            return Task(Scene(features, positions, scene.orientations), action, TARGET, reference=reference)
 
 
-def _with_shapes(scene: Scene, shape: str, under: str, rng: np.random.Generator) -> Scene:
-    """Return a scene with objects of these shapes in the places of those that are there."""
-    features = np.vstack(
-        [sample_features(TabletopConfig(shapes={name: 1.0}), rng, 1) for name in (shape, under)]
-    )
-    positions = np.column_stack([scene.positions[:, :2], features[:, 2] / 2])
-    return Scene(features, positions, scene.orientations)
-
-
-def _is_apart(scene: Scene) -> bool:
-    """Say whether the hand has room between two objects."""
-    gap = np.abs(np.subtract(*scene.positions)) - scene.features[:, :3].sum(0) / 2
-    return bool(gap[:2].max() >= MARGIN)
-
-
-def _told(put: Sequence[Outcome]) -> dict[str, Any]:
-    carried = [outcome for outcome in put if outcome.kind == "carried"]
-    ends = Counter(relation(outcome, TARGET, UNDER) for outcome in carried)
-    return {"tried": len(put), "carried": len(carried), "ends": dict(sorted(ends.items()))}
-
-
-def _taken(put: Sequence[Outcome], perform: Perform, seed: Sequence[int]) -> dict[str, Any]:
+def _taken(put: Sequence[Outcome], perform: Perform, seed: Sequence[int]) -> Results:
     """Take what stands on or in another to a place, and count how often it came there alone."""
-    tasks, of = list[Task](), Counter[str]()
-    names = []
+    tasks, names = list[Task](), list[str]()
     for number, outcome in enumerate(put):
         name = relation(outcome, TARGET, UNDER)
         action = carry_to(outcome.end.features[TARGET])
@@ -77,9 +66,12 @@ def _taken(put: Sequence[Outcome], perform: Perform, seed: Sequence[int]) -> dic
             place = random_place(np.random.default_rng([*seed, number, 1]), TabletopConfig().table, MARGIN)
             tasks.append(Task(outcome.end, action, TARGET, reference=place))
             names.append(name)
-    for name, outcome in zip(names, perform(tasks), strict=True):
-        of[name] += outcome.kind == "carried" and not outcome.disturbed
-    return {f"taken_{name}": [of[name], names.count(name)] for name in ("on", "in")}
+    alone = [
+        name
+        for name, outcome in zip(names, perform(tasks), strict=True)
+        if outcome.kind == "carried" and not outcome.disturbed
+    ]
+    return {f"taken_{name}": [alone.count(name), names.count(name)] for name in ("on", "in")}
 
 
 def towers(count: int, seed: int, workers: int) -> Results:
@@ -121,15 +113,10 @@ def predictability(count: int, seed: int, workers: int) -> Results:
     tasks = [replace(task, reference=OtherObject(UNDER)) for run in runs for task in run]
     outcomes = [*perform_all(factory(), tasks, workers)]
     ends = [relation(outcome, TARGET, UNDER) for outcome in outcomes]
-    carried = [outcome.carried for outcome in outcomes]
-    first, again = ends[:count], ends[count:]
+    carried = [end for end, one in zip(ends[:count], outcomes, strict=False) if one.carried]
     return {
         "interactions": count,
-        "carried": sum(carried[:count]) / count,
-        "ends_of_carried": dict(
-            sorted(
-                Counter(end for end, is_carried in zip(first, carried, strict=False) if is_carried).items()
-            )
-        ),
-        "another_relation": sum(one != other for one, other in zip(first, again, strict=True)),
+        "carried": len(carried) / count,
+        "ends_of_carried": dict(sorted(Counter(carried).items())),
+        "another_relation": sum(one != other for one, other in zip(ends[:count], ends[count:], strict=True)),
     }

@@ -6,77 +6,96 @@ that a person can solve. Goes on where it was interrupted.
 """
 
 import json
-from collections.abc import Mapping, Sequence
+import shutil
+from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
+import msgspec
 import tyro
 
-from neurosym.files import make_folder
-from neurosym.stages.layout import RELATIONS
-from tools.benchmarks.carrying import keeping
+from neurosym.files import make_folder, write_json
+from neurosym.grounding import FORMAT_WITH_RELATIONS, Grounding
+from neurosym.pair_operators import RelationOperators
+from neurosym.stages.layout import (
+    GROUNDING,
+    MODEL,
+    PLACE_OPERATORS,
+    PLACES,
+    RELATION_CHANCES,
+    RELATION_MODEL,
+    RELATION_OPERATORS,
+    RELATION_STATES,
+    RELATIONS,
+    WORLD,
+)
+from neurosym.stages.learning import TO_OBJECTS
+from tools.benchmarks import domains
+from tools.benchmarks.carrying.evaluate import take_shipped
 from tools.benchmarks.jobs import Evaluation, Job, machine
-from tools.benchmarks.options import CORES, Seeds, Workers, begin
-from tools.benchmarks.relations import by_hand, learned, protocols, tasks
-from tools.benchmarks.relations.beginnings import found_after
-from tools.benchmarks.relations.singly import one_by_one
-from tools.benchmarks.relations.summary import CURIOUS, FIRST, RANDOM, SINGLY, Way, summarise
+from tools.benchmarks.options import CORES, RESULTS, Results, Scale, Seeds, Work, Workers, begin
+from tools.benchmarks.relations import by_hand, protocols, symbols, tasks
+from tools.benchmarks.relations.summary import CURIOUS, RANDOM, SINGLY, Way, summarise
 from tools.benchmarks.relations.tables import page
-from tools.benchmarks.relations.trying import try_all
+from tools.benchmarks.relations.trying import one_by_one, try_all
+from tools.relearn_places import SEED
+from tools.relearn_towers import FOLDER as SHIPPED
 from tools.relearn_towers import RELATIONS as STEPS
 
-RESULTS, WORK = Path("docs/results"), Path("evaluation/relations")
-DOMAINS = "relations-domains.zip"
-PLACES = "places-domains.zip"
+DOMAINS, LEARNED = "relations-domains.zip", "places-domains.zip"
+KEPT = (RELATION_STATES, RELATION_MODEL, RELATION_CHANCES, RELATION_OPERATORS)
+"""What is needed of relations to try a domain; the rest is kept beside the results on places."""
 FIRST_TASK = 740_000
 """Seed of the first task, far from those of other evaluations."""
+NEW_PAIRS = 730_000
+"""Added to the seed of a domain, so that it is judged on pairs that it was not learned with."""
 BLOCK = 5
 """Tasks that are tried together."""
 AT_RANDOM = 1
 """Seeds with which relations are learned from random actions, too."""
 WORKERS = 2
+Jobs = dict[str, Job]
 
 
 def main(
     seeds: Seeds = 5,
     steps: Annotated[int, tyro.conf.arg(help="Interactions that are aimed at other objects.")] = STEPS,
     count: Annotated[int, tyro.conf.arg(help="Tasks of each kind and seed, a multiple of 5.")] = 10,
-    scale: Annotated[
-        float, tyro.conf.arg(help="How many interactions by hand, as a share of the full number.")
-    ] = 1.0,
-    work: Annotated[Path, tyro.conf.arg(help="Folder for what was learned.")] = WORK,
-    results: Annotated[Path, tyro.conf.arg(help="Folder for relations.json and relations.md.")] = RESULTS,
+    scale: Scale = 1.0,
+    work: Work = Path("evaluation/relations"),
+    results: Results = RESULTS,
     workers: Workers = CORES,
 ) -> None:
     """Measure, learn and try, and write the results; what was done is not done again."""
-    cells = (*tasks.cells(count), *protocols.cells(count))
+    own = tasks.cells(count)
+    cells = (*own, *protocols.cells(count))
     evaluation = Evaluation("relations", work, results, workers)
     hand = _by_hand(evaluation, scale)
     make_folder(work / "places")
-    keeping.restore(results / PLACES, work / "places")
-    keeping.take_shipped(work / "places")
-    keeping.restore(results / DOMAINS, work, RELATIONS)
+    domains.restore(results / LEARNED, work / "places")
+    take_shipped(work / "places")
+    domains.restore(results / DOMAINS, work, RELATIONS)
     if steps == STEPS:
-        learned.take_shipped(work)
+        _take_shipped_relations(work)
 
     def report() -> None:
         summary = summarise(hand, evaluation.found(), cells, seeds=seeds, steps=steps)
         evaluation.write(summary, page(summary))
 
     report()
-
-    def do(jobs: Mapping[str, Job], label: str) -> None:
-        evaluation.perform(jobs, label, report)
-
     every, some = range(1, seeds + 1), range(1, min(seeds, AT_RANDOM) + 1)
-    do(_learning(work, CURIOUS, every, steps), "learning relations")
-    learned.keep(work, results / DOMAINS)
-    do(_tried(evaluation, CURIOUS, every, cells), "trying tasks")
-    do(_singly(work, every, tasks.cells(count)), "trying with single objects")
-    do(_first(work, every), "learning from the first interactions")
-    do(_learning(work, RANDOM, some, steps), "learning from random actions")
-    do(_tried(evaluation, RANDOM, some, cells), "trying what was learned from these")
+    evaluation.perform(_learning(work, CURIOUS, every, steps), "learning relations", report)
+    domains.keep(work, results / DOMAINS, _kept)
+    evaluation.perform(_tried(evaluation, CURIOUS, every, cells), "trying tasks", report)
+    singly = {
+        f"{SINGLY}-{seed}-{name}": partial(one_by_one, CURIOUS.folder(work, seed), draw, numbers)
+        for seed in every
+        for name, draw, numbers in _blocks(seed, own)
+    }
+    evaluation.perform(singly, "trying with single objects", report)
+    evaluation.perform(_learning(work, RANDOM, some, steps), "learning from random actions", report)
+    evaluation.perform(_tried(evaluation, RANDOM, some, cells), "trying what was learned from these", report)
 
 
 def _by_hand(evaluation: Evaluation, scale: float) -> dict[str, Any]:
@@ -100,55 +119,56 @@ def _by_hand(evaluation: Evaluation, scale: float) -> dict[str, Any]:
     return about | {name: known[name] for name in parts}
 
 
-def _learning(work: Path, way: Way, seeds: Sequence[int], steps: int) -> dict[str, Job]:
+def _learning(work: Path, way: Way, seeds: Iterable[int], steps: int) -> Jobs:
     return {
         f"learn-{way.label(seed)}": partial(
-            learned.learn, _places(work, seed), way.folder(work, seed), seed, steps, way.strategy
+            learn, _places(work, seed), way.folder(work, seed), seed, steps, way
         )
         for seed in seeds
     }
 
 
-def _tried(
-    evaluation: Evaluation, way: Way, seeds: Sequence[int], cells: Sequence[tasks.Cell]
-) -> dict[str, Job]:
+def learn(places: Path, folder: Path, seed: int, steps: int, way: Way) -> dict[str, Any]:
+    """Learn relations; what was done is not done again.
+
+    Returns:
+        How well its symbols agree with geometry, see `symbols.measure`, how well ends are predicted, see
+        `protocols.effect_errors`, and CPU seconds of each stage.
+    """
+    grounding, seconds = Grounding.load(places / GROUNDING), {}
+    make_folder(folder / PLACES)
+    for name in (WORLD, MODEL):
+        shutil.copy(places / name, folder / name)
+    write_json(folder / PLACE_OPERATORS, grounding.places)
+    if not (folder / RELATION_OPERATORS).exists():
+        seconds = domains.learn(folder, way.strategy, seed, steps, TO_OBJECTS)
+    relations = RelationOperators.load(folder / RELATION_OPERATORS)
+    with_relations = msgspec.structs.replace(grounding, relations=relations, format=FORMAT_WITH_RELATIONS)
+    with_relations.save(folder / GROUNDING)
+    measured = symbols.measure(folder, NEW_PAIRS + seed, workers=1)
+    errors = protocols.effect_errors(folder, NEW_PAIRS + seed, workers=1)
+    return {**measured, "effect_errors": errors, "cpu_seconds": seconds}
+
+
+def _tried(evaluation: Evaluation, way: Way, seeds: Iterable[int], cells: Sequence[tasks.Cell]) -> Jobs:
     """List the tasks of those seeds with which something was learned, some at a time."""
     known, work = evaluation.found(), evaluation.work
     return {
-        f"try-{way.label(seed)}-{tasks.slug(name)}-{start}": partial(
-            try_all, way.folder(work, seed), learnt["words"], draw, _tasks(seed, start, BLOCK)
+        f"try-{way.label(seed)}-{name}": partial(
+            try_all, way.folder(work, seed), learnt["words"], draw, numbers
         )
         for seed in seeds
         if (learnt := known.get(f"learn-{way.label(seed)}"))
-        for name, draw, count in cells
-        for start in range(0, count, BLOCK)
+        for name, draw, numbers in _blocks(seed, cells)
     }
 
 
-def _singly(work: Path, seeds: Sequence[int], cells: Sequence[tasks.Cell]) -> dict[str, Job]:
-    return {
-        f"{SINGLY}-{seed}-{tasks.slug(name)}-{start}": partial(
-            one_by_one, CURIOUS.folder(work, seed), draw, _tasks(seed, start, BLOCK)
-        )
-        for seed in seeds
-        for name, draw, count in cells
-        for start in range(0, count, BLOCK)
-    }
-
-
-def _first(work: Path, seeds: Sequence[int]) -> dict[str, Job]:
-    return {
-        f"{FIRST}-{way.label(seed)}": partial(
-            found_after,
-            _places(work, seed),
-            way.folder(work, seed),
-            work / f"{FIRST}-{way.label(seed)}",
-            seed,
-            way.strategy,
-        )
-        for way in (CURIOUS, RANDOM)
-        for seed in seeds
-    }
+def _blocks(seed: int, cells: Sequence[tasks.Cell]) -> Iterator[tuple[str, tasks.Draw, range]]:
+    """List what is tried together with the domain of a seed: name, what draws it, and seeds."""
+    for name, draw, count in cells:
+        for start in range(0, count, BLOCK):
+            first = FIRST_TASK + 1000 * seed + start
+            yield f"{tasks.slug(name)}-{start}", draw, range(first, first + BLOCK)
 
 
 def _places(work: Path, seed: int) -> Path:
@@ -156,10 +176,19 @@ def _places(work: Path, seed: int) -> Path:
     return work / "places" / f"seed-{seed}"
 
 
-def _tasks(seed: int, start: int, count: int) -> range:
-    """Return the seeds of some tasks that the domain of a seed is tried on."""
-    first = FIRST_TASK + 1000 * seed + start
-    return range(first, first + count)
+def _kept(folder: Path) -> Iterator[str]:
+    """List what is kept of a domain that was learned, and is not the shipped one."""
+    is_own = folder.name != f"seed-{SEED}" or not SHIPPED.exists()
+    yield from KEPT if is_own and (folder / RELATION_OPERATORS).exists() else ()
+
+
+def _take_shipped_relations(work: Path) -> None:
+    """Copy what the shipped domain, which is that of its seed, learned of relations, unless it is there."""
+    for name in KEPT if SHIPPED.exists() else ():
+        target = work / f"seed-{SEED}" / name
+        if not target.exists():
+            make_folder(target.parent)
+            shutil.copy(SHIPPED / name, target)
 
 
 if __name__ == "__main__":

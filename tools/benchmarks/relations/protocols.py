@@ -5,9 +5,8 @@ with five to ten. Their actions are given: grasp, and let go near another object
 that. Objects have other shapes and sizes than theirs, and this simulator takes eight at most.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
-from itertools import permutations
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +19,7 @@ from neurosym.worlds.aims import REFERENCE, TARGET, KnownMotions, Related, as_pa
 from neurosym.worlds.workers import Task, perform_all
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks.relations.geometry import relation
-from tools.benchmarks.relations.tasks import Asked, Cell, Goal, drawn
+from tools.benchmarks.relations.tasks import Asked, Cell, Goal, Unfit, drawn
 from tools.benchmarks.world.hand_written import REACH, carry_to
 
 FEW, MOST_PUTS = 3, 3
@@ -36,11 +35,7 @@ _STREAM = 0x7072
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Likened(Asked):
-    """A task to make a scene like another one.
-
-    Attributes:
-        like: The other scene.
-    """
+    """A task to make a scene like another one."""
 
     like: Scene
 
@@ -57,20 +52,17 @@ def cells(count: int) -> tuple[Cell, ...]:
 def few(world: World, seed: int) -> Asked:
     """Draw what one to three puts with three objects lead to: whatever then stands on or in something."""
 
-    def attempt(scene: Scene, rng: np.random.Generator) -> Asked | None:
-        end, before = None, scene
+    def attempt(scene: Scene, rng: np.random.Generator) -> Asked:
+        before = scene
         for _ in range(1 + seed % MOST_PUTS):
             end = _put(before, rng, world, off=0.0)
-            if end is None or end.disturbed:
-                return None
+            if end.disturbed:
+                raise Unfit
             before = end.end
-        assert end is not None, "one or more were put"
-        goals = tuple(
-            Goal(one, other, name)
-            for one, other in permutations(range(FEW), 2)
-            if (name := relation(end, one, other)) in ("on", "in")
-        )
-        return Asked(scene, (), goals, {}, ()) if goals and _is_plain(goals) else None
+        goals = _plain(goal for one in range(FEW) for goal in _borne(end, one))
+        if not goals:
+            raise Unfit
+        return Asked(scene, (), goals, {}, ())
 
     return drawn(attempt, FEW, [12], seed)
 
@@ -78,45 +70,50 @@ def few(world: World, seed: int) -> Asked:
 def one_put(world: World, seed: int) -> Likened:
     """Draw two consecutive states among five to eight objects: between them one is put near another one."""
 
-    def attempt(scene: Scene, rng: np.random.Generator) -> Likened | None:
+    def attempt(scene: Scene, rng: np.random.Generator) -> Likened:
         start = _put(scene, rng, world, off=REACH)
-        end = _put(start.end, rng, world, off=REACH) if start else None
-        if start is None or end is None:
-            return None
+        end = _put(start.end, rng, world, off=REACH)
         moved = np.linalg.norm(end.end.positions - start.end.positions, axis=1)
-        goals, places = list[Goal](), dict[int, Place]()
-        for index in np.flatnonzero(moved > NEAR).tolist():
-            bearing = [
-                Goal(index, other, name)
-                for other in range(len(moved))
-                if other != index and (name := relation(end, index, other)) in ("on", "in")
-            ]
-            goals += bearing
-            if not bearing:
-                places[index] = Place(*end.end.positions[index][:2].tolist())
-        if not (goals or places) or not _is_plain(goals):
-            return None
-        return Likened(start.end, start.contacts, tuple(goals), places, (), end.end)
+        borne = {index: _borne(end, index) for index in np.flatnonzero(moved > NEAR).tolist()}
+        goals = _plain(goal for ones in borne.values() for goal in ones)
+        places = {
+            index: Place(*end.end.positions[index][:2].tolist()) for index, ones in borne.items() if not ones
+        }
+        if not (goals or places):
+            raise Unfit
+        return Likened(start.end, start.contacts, goals, places, (), end.end)
 
     low, high = AMONG
     return drawn(attempt, low + seed % (high - low + 1), [13], seed)
 
 
-def _is_plain(goals: Sequence[Goal]) -> bool:
-    """Say whether nothing stands on or in two things at once, which goals cannot say."""
-    return len({goal.target for goal in goals}) == len(goals)
+def _borne(end: Outcome, one: int) -> list[Goal]:
+    """List what an object stands on or in."""
+    others = (other for other in range(len(end.end)) if other != one)
+    words = ((other, relation(end, one, other)) for other in others)
+    return [Goal(one, other, word) for other, word in words if word in ("on", "in")]
 
 
-def _put(scene: Scene, rng: np.random.Generator, world: World, *, off: float) -> Outcome | None:
-    """Put some object over another one, so far off its middle at most [m]; None if nothing was carried."""
+def _plain(goals: Iterable[Goal]) -> tuple[Goal, ...]:
+    """Return goals of which none asks that something stands on or in two things at once."""
+    known = tuple(goals)
+    if len({goal.target for goal in known}) < len(known):
+        raise Unfit
+    return known
+
+
+def _put(scene: Scene, rng: np.random.Generator, world: World, *, off: float) -> Outcome:
+    """Put some object over another one, so far off its middle at most [m]."""
     target, reference = rng.permutation(len(scene))[:2].tolist()
     action = carry_to(scene.features[target])
     if action is None:
-        return None
+        raise Unfit
     action[-4:-2] += rng.uniform(-off, off, 2)
     clipped = np.clip(action, world.action_box.low, world.action_box.high)
     outcome = world.interact(scene, clipped, target, **relative_to(world, OtherObject(reference)))
-    return outcome if outcome.kind == "carried" else None
+    if outcome.kind != "carried":
+        raise Unfit
+    return outcome
 
 
 def effect_errors(folder: Path, seed: int, workers: int) -> dict[str, dict[str, float]]:

@@ -26,12 +26,13 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MODEL, PLACE_OPERATORS, RELATION_OPERATORS, WORLD
 from neurosym.stages.problem_making import sight_of_pairs
 from neurosym.tasks.supports import PairSight
-from neurosym.world import Outcome, Scene
+from neurosym.world import Outcome
 from neurosym.worlds.aims import REFERENCE, TARGET, KnownMotions, RelatedFactory
 from neurosym.worlds.workers import Task, perform_all
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks.carrying.tasks import is_graspable
 from tools.benchmarks.relations.geometry import fits, relation
+from tools.benchmarks.relations.summary import PUTS
 
 REHEARSED = 48
 """New rehearsals of an operator."""
@@ -40,9 +41,7 @@ SURE = 0.8
 PAIRS = 12_000
 """New pairs, some of which are taken for each operator."""
 NAMES = ("on", "in", "beside", "apart")
-"""Relations that codes are matched with."""
-BORNE = ("on", "in")
-"""Of these, those in which something is borne; they are asked for by states that bear."""
+"""Relations that codes are matched with; those of `PUTS` are asked for by states that bear."""
 RANDOM = 600
 """New actions whose ends are predicted."""
 PRECISE = 0.7
@@ -56,25 +55,24 @@ def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
     table, sight = RelationOperators.load(folder / RELATION_OPERATORS), sight_of_pairs(DomainFolder(folder))
     assert sight is not None, "relations were learned"
     factory = RelatedFactory(read_world(folder / WORLD))
-    tried = [*_rehearsed(table, sight, factory, seed, workers)]
-    states = table
+    tried = _rehearsed(table, sight, factory, seed, workers)
     outcomes = [outcome for *_, ends in tried for outcome in ends]
-    judged = _pairs_of(outcomes[1::2], states, NAMES)
-    called = _matched(*_pairs_of(outcomes[::2], states, NAMES))
-    meant = _matched(*_pairs_of(outcomes[::2], states, (*NAMES, "leaning")))
+    judged = _pairs_of(outcomes[1::2], table, NAMES)
+    called = _matched(*_pairs_of(outcomes[::2], table, NAMES))
+    meant = _matched(*_pairs_of(outcomes[::2], table, (*NAMES, "leaning")))
     words = {
         name: [
             code
             for code in sorted(meant)
-            if meant[code] == name and (name not in BORNE or code in states.bearing)
+            if meant[code] == name and (name not in PUTS or code in table.bearing)
         ]
         for name in NAMES
     }
     return {
-        "operators": {name: _best(tried, table, name) for name in ("on", "in")},
+        "operators": {name: _best(tried, table, name) for name in PUTS},
         "state_bits": {**_balanced(called, *judged), "pairs": len(judged[0])},
         "static_bits": _static_accuracy(sight, factory, seed),
-        "recall_on": _recall(folder, sight, states, words["on"], seed, workers),
+        "recall_on": _recall(folder, sight, table, words["on"], seed, workers),
         "words": words,
         "operators_tried": len(tried),
     }
@@ -110,30 +108,26 @@ def _rehearsed(
     return [(one, len(sure) / PAIRS, [next(performed) for _ in range(REHEARSED)]) for one, sure in asked]
 
 
-def _best(tried: Sequence[Tried], table: RelationOperators, name: str) -> dict[str, Any] | None:
+def _best(tried: Sequence[Tried], states: PairStates, name: str) -> dict[str, Any] | None:
     """Find the operator that on the first half of its rehearsals does most surely what geometry calls so.
 
     Returns:
         Its name, and how often it is right on both halves; None if none does it mostly.
     """
-    states = table
-    best: tuple[float, float, RelationOperator, float] | None = None
+    known = []
     for one, share, outcomes in tried:
         assert one.promise is not None, "only what is sure is tried"
-        promised = one.promise.state
         right = [
             not outcome.disturbed
-            and end_state(outcome, states) == promised
+            and end_state(outcome, states) == one.promise.state
             and relation(outcome, TARGET, REFERENCE) == name
             for outcome in outcomes
         ]
-        first, second = float(np.mean(right[::2])), float(np.mean(right[1::2]))
-        if first > 0.5 and (best is None or (first, share) > best[:2]):
-            best = first, share, one, second
-    if best is None:
+        known.append((float(np.mean(right[::2])), share, float(np.mean(right[1::2])), one.name))
+    first, share, second, operator = max(known, key=lambda one: one[:2], default=(0.0, 0.0, 0.0, ""))
+    if first <= 0.5:
         return None
-    first, share, one, second = best
-    return {"operator": one.name, "first_half": first, "right": second, "pairs": share}
+    return {"operator": operator, "first_half": first, "right": second, "pairs": share}
 
 
 def _pairs_of(
@@ -155,19 +149,13 @@ def _static_accuracy(sight: PairSight, factory: RelatedFactory, seed: int) -> di
     world, rng = factory(), np.random.default_rng([seed, _STREAM])
     scenes = [world.sample_scene(rng, 1) for _ in range(4 * RANDOM)]
     codes = sight.kinds(np.concatenate([scene.features for scene in scenes]))
-    found = {}
-    for name, says in (("carries", _carries), ("fits", _fits)):
-        told = [str(says(scene.whole)) for scene in scenes]  # type: ignore[attr-defined]
-        found[name] = _balanced(_matched(codes[::2], told[::2]), codes[1::2], told[1::2])["balanced"]
+    pairs = [(scene.whole.features[TARGET], scene.whole.features[REFERENCE]) for scene in scenes]  # type: ignore[attr-defined]
+    carries, fit = [str(is_graspable(one)) for one, _ in pairs], [str(fits(*pair)) for pair in pairs]
+    found = {
+        name: _balanced(_matched(codes[::2], told[::2]), codes[1::2], told[1::2])["balanced"]
+        for name, told in (("carries", carries), ("fits", fit))
+    }
     return {"balanced": float(np.mean([*found.values()])), **found}
-
-
-def _carries(scene: Scene) -> bool:
-    return is_graspable(scene.features[TARGET])
-
-
-def _fits(scene: Scene) -> bool:
-    return fits(scene.features[TARGET], scene.features[REFERENCE])
 
 
 def _recall(

@@ -1,20 +1,19 @@
 """The results of `evaluate.py` as a page of Markdown tables."""
 
-from collections.abc import Mapping, Sequence
-from statistics import mean, stdev
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, get_args
 
 from neurosym.errors import counted
-from neurosym.evaluation.summary import markdown_table
+from tools.benchmarks.relations.geometry import Relation
+from tools.benchmarks.relations.summary import PUTS
+from tools.benchmarks.tables import document, over_seeds, table
 
-_CALLED = {"disagreement": "curious", "random": "at random"}
-_PARTS = ("on", "in", "borne")
-RELATIONS = ("on", "in", "leaning", "against", "beside", "apart", "around")
+RELATIONS = get_args(Relation)
 
 
 def page(found: Mapping[str, Any]) -> str:
     """Write the tables."""
-    sections = [
+    return document(
         "# One object relative to another",
         f"`{found['command']}` wrote this page. Which relation two objects have is told by "
         "geometry that a person wrote (`tools/benchmarks/relations/geometry.py`). *On*: upright, "
@@ -22,8 +21,7 @@ def page(found: Mapping[str, Any]) -> str:
         "*Against*: touching from the side. *Beside*: at most 5 cm apart. *Around*: the other is in it.",
         *_by_hand(found),
         *(_learned(found) if found["learned"] else ()),
-    ]
-    return "\n\n".join(sections) + "\n"
+    )
 
 
 def _by_hand(found: Mapping[str, Any]) -> list[str]:
@@ -33,7 +31,7 @@ def _by_hand(found: Mapping[str, Any]) -> list[str]:
             pair,
             f"{cell['carried']} of {cell['tried']}",
             *(str(cell["ends"].get(name, 0) or "") for name in RELATIONS),
-            *("{} of {}".format(*cell[f"taken_{name}"]) for name in ("on", "in")),
+            *("{} of {}".format(*cell[f"taken_{name}"]) for name in PUTS),
         ]
         for pair, cell in over.items()
     ]
@@ -44,7 +42,7 @@ def _by_hand(found: Mapping[str, Any]) -> list[str]:
         "One action that a person wrote grasps an object of random size and sets it down over "
         "another. What then stands on or in that one is taken to a place by the same action, "
         "without moving the other by over 5 mm.",
-        markdown_table(["pair", "carried", *RELATIONS, "taken off", "taken out"], rows),
+        table(["pair", "carried", *RELATIONS, "taken off", "taken out"], rows),
         f"Towers of solid objects by hand, the widest below, that stand: {built}.",
         "## At random",
         f"Of {chance['interactions']} random actions aimed at another object, "
@@ -67,7 +65,7 @@ def _learned(found: Mapping[str, Any]) -> list[str]:
         "counted on the other; *kinds* is the mean of what *carries* and what *fits*. *Recalled*: of new "
         "actions that end on the reference, how many are foreseen to; and how much of what is foreseen is "
         "so. At random: learned from as many actions that nobody chose.",
-        markdown_table(["", "on", "in", "states", "kinds", "carries", "fits", "recalled", "precision"], rows),
+        table(["", "on", "in", "states", "kinds", "carries", "fits", "recalled", "precision"], rows),
         "## Tasks",
         "A person draws the tasks and solves each by hand beforehand: the same tasks, by actions that a "
         "person wrote, are reached in all cases. Goals are told to the domain in the words that geometry "
@@ -75,28 +73,20 @@ def _learned(found: Mapping[str, Any]) -> list[str]:
         "standard deviation. *Single objects*: a person says what to carry where to, one after another. "
         "What carries that object to places most surely is aimed at the other object. "
         "*At random*: learned with one seed from as many actions that nobody chose.",
-        markdown_table(
+        table(
             [
-                "task",
-                "number",
-                "planned",
-                "followed blindly",
-                "with replanning",
-                "single objects",
-                "at random, blindly",
-                "at random, replanned",
+                *("task", "number", "planned", "followed blindly", "with replanning", "single objects"),
+                *("at random, blindly", "at random, replanned"),
             ],
             [_task(name, cell, found) for name, cell in found["table"].items()],
         ),
         "The last two rows are near to what others asked (`tools/benchmarks/relations/protocols.py`). With "
         "three objects, a person puts one to three times something on or into something else. Among five to "
         "eight, something is put near something else; every object must then be within 9 cm of where it was.",
-        "## The first interactions",
-        *_first(found["first"]),
         "## Predicted ends",
         "New actions, drawn as exploring draws them, and where the network of pairs says that all objects "
         "end. Error of an object, summed over x, y and z, and the same if nothing moved.",
-        markdown_table(
+        table(
             ["objects", "error [cm]", "nothing moves [cm]", "target carried"],
             [
                 [size, f"{one['error']:.2f}", f"{one['nothing_moves']:.2f}", f"{one['carried']:.0%}"]
@@ -108,42 +98,18 @@ def _learned(found: Mapping[str, Any]) -> list[str]:
 
 def _task(name: str, cell: Mapping[str, Any], found: Mapping[str, Any]) -> list[str]:
     at_random = found["table_at_random"][name]
-    shares = (
-        cell["blind"],
-        cell["replanned"],
-        found["singly"].get(name, ()),
-        at_random["blind"],
-        at_random["replanned"],
-    )
-    return [name, str(cell["tasks"]), str(cell["planned"]), *map(_over_seeds, shares)]
-
-
-def _first(found: Mapping[str, Any]) -> list[str]:
-    """Write what could be done after the first interactions, out of curiosity and at random."""
-    found = {_CALLED[strategy]: way for strategy, way in found.items()}
-    known = {name: way["after"] for name, way in found.items() if way["after"]}
-    rows = [
-        [f"{same[0]['interactions']:,}", *(f"{one[part]:.0%}" for one in same for part in _PARTS)]
-        for same in zip(*known.values(), strict=True)
-    ]
-    until = "; ".join(
-        f"{name}: {', '.join(f'{number:,}' if number else 'more' for number in way['until_both'])}"
-        for name, way in found.items()
-    )
-    names = [f"{part}, {name}" for name in known for part in _PARTS]
+    tried = (cell["blind"], cell["replanned"], found["singly"].get(name, ()))
+    shares = ([100 * one for one in each] for each in (*tried, at_random["blind"], at_random["replanned"]))
     return [
-        "How soon can it put on and put in? For each state, that action of the first interactions is taken "
-        "that is foreseen to bring the most pairs there, and performed on 48 new pairs with which that is "
-        "foreseen surely. Geometry names it on the first half, and counts on the second how often it is "
-        "right (no such action counts as 0). *Borne*: the share of the interactions that ended in a state in "
-        "which the reference bears the target. Means over seeds.",
-        markdown_table(["interactions", *names], rows),
-        f"Interactions until both are right in 85 %, for each seed: {until}.",
+        name,
+        str(cell["tasks"]),
+        str(cell["planned"]),
+        *(over_seeds(one, "{:.0f}%", 0) for one in shares),
     ]
 
 
 def _symbols(one: Mapping[str, Any]) -> list[str]:
-    best = [one["operators"][name] for name in ("on", "in")]
+    best = [one["operators"][name] for name in PUTS]
     static, recall = one["static_bits"], one["recall_on"]
     return [
         *(f"{each['right']:.0%} ({each['pairs']:.1%})" if each else "none" for each in best),
@@ -151,9 +117,3 @@ def _symbols(one: Mapping[str, Any]) -> list[str]:
         *(f"{static[name]:.0%}" for name in ("carries", "fits")),
         *(f"{recall[name]:.0%}" for name in ("recall", "precision")),
     ]
-
-
-def _over_seeds(shares: Sequence[float]) -> str:
-    if not shares:
-        return "-"
-    return f"{mean(shares):.0%}" + (f" ± {100 * stdev(shares):.0f}" if len(shares) > 1 else "")

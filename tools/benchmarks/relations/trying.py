@@ -1,4 +1,10 @@
-"""Trying tasks of relations with a learned domain; geometry that a person wrote says what was reached."""
+"""Trying tasks of relations with a learned domain; geometry that a person wrote says what was reached.
+
+Learned relations are compared with symbols of one object at a time: a person says what to carry where to, one
+thing after another. What carries that object to places most surely, as was learned of it alone, is aimed at
+the other object as if that were a place. Nothing is tried again there, as nothing that was learned of single
+objects tells what rests on what.
+"""
 
 from collections.abc import Mapping, Sequence
 from functools import cache
@@ -9,6 +15,7 @@ import msgspec
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.errors import InvalidValue
 from neurosym.evaluation.comparison import Bench, Setting, planner_of
 from neurosym.execution.executor import execute
 from neurosym.execution.rerun import failure
@@ -17,14 +24,15 @@ from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.problem_making import sight_of_pairs
-from neurosym.tasks.options import puts_for
+from neurosym.tasks.options import carriers_for, puts_for
 from neurosym.tasks.supports import PairSight, with_contacts, with_pairs
-from neurosym.world import Outcome, Scene, World
+from neurosym.world import Outcome, Scene, World, relative_to
 from neurosym.worlds.aims import Adapted
 from neurosym.worlds.task_drawing import items_of
+from tools.benchmarks.domains import bench_of
+from tools.benchmarks.jobs import cpu_seconds
 from tools.benchmarks.planning.trials import PLANNER
 from tools.benchmarks.relations.tasks import Asked, Draw
-from tools.benchmarks.spent import cpu_seconds
 
 TIME_LIMIT = 60.0
 """Of one plan [s]; far more than any takes."""
@@ -50,62 +58,54 @@ class Remembering(Adapted):
 
 
 class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
-    """What became of one task.
+    """What became of one task."""
 
-    Attributes:
-        status: How the search for a plan ended; "cannot be said" where no state means what is asked for.
-        reason: Why there is no plan, or why it failed.
-        reached: Whether what was asked for is so in the end, with replanning.
-        blind: The same of the plan followed blindly.
-        believed: Whether the learned states say that it is so, with replanning.
-        primitives: How many primitives were performed, with replanning.
-        cpu: CPU seconds that all of it took.
-    """
-
-    status: str
-    reason: str = ""
-    reached: bool = False
-    blind: bool = False
-    believed: bool = False
-    primitives: int = 0
-    cpu: float = 0.0
+    status: str  # how the search for a plan ended; "cannot be said" where no state means what is asked for
+    reason: str = ""  # why there is no plan, or why it failed
+    reached: bool = False  # whether what was asked for is so in the end, with replanning
+    blind: bool = False  # the same of the plan followed blindly
+    believed: bool = False  # whether the learned states say that it is so, with replanning
+    primitives: int = 0  # how many were performed, with replanning
+    cpu: float = 0.0  # what all of it took [CPU s]
 
 
 @cache
-def bench_of(folder: Path) -> tuple[Bench, PairSight | None]:
-    """Load a domain folder, once in each process."""
-    domain = DomainFolder(folder)
-    return Bench(domain), sight_of_pairs(domain)
+def _sight_of(folder: Path) -> PairSight | None:
+    return sight_of_pairs(DomainFolder(folder))
 
 
 def try_all(folder: Path, words: Words, draw: Draw, seeds: Sequence[int]) -> list[Any]:
     """Try tasks; nothing depends on the clock, as far as plans are found in time."""
-    bench, sight = bench_of(folder)
-    tried = [try_task(bench, sight, words, draw(bench.setting.world, seed), f"task-{seed}") for seed in seeds]
+    bench, sight = bench_of(folder), _sight_of(folder)
+    tried = [_try_task(bench, sight, words, draw(bench.setting.world, n), f"task-{n}") for n in seeds]
     found: list[Any] = msgspec.to_builtins(tried)
     return found
 
 
-def try_task(bench: Bench, sight: PairSight | None, words: Words, asked: Asked, name: str) -> Trial:
+def _try_task(bench: Bench, sight: PairSight | None, words: Words, asked: Asked, name: str) -> Trial:
     """Plan for a task, and execute the plan with replanning and blindly."""
-    begin = cpu_seconds()
+    begin, setting = cpu_seconds(), bench.setting
     problem = as_problem(bench, sight, words, asked, name)
     if problem is None:
         return Trial("cannot be said")
-    world, grounding = Remembering(bench.setting.world), bench.setting.grounding
-    solve = planner_of(Setting(world, grounding, bench.setting.predict), PLANNER, time_limit=TIME_LIMIT)
+    world, grounding = Remembering(setting.world), setting.grounding
+    solve = planner_of(Setting(world, grounding, setting.predict), PLANNER, time_limit=TIME_LIMIT)
     found = solve(problem, grounding)
     if found.status is not PlanStatus.SOLVED:
         return Trial(found.status.value, found.reason, cpu=cpu_seconds() - begin)
     run = execute(world, problem, grounding, found.steps, replanner=solve)
-    reached = blind = _is_met(asked, world)
+    reached = blind = world.last is not None and asked.is_met(world.last)
     if run.replannings:
         execute(world, problem, grounding, found.steps)
-        blind = _is_met(asked, world)
-    reason = "" if run.reached else f"{failure(run)}: {run.reason}"
-    done = len(run.steps)
+        blind = world.last is not None and asked.is_met(world.last)
     return Trial(
-        found.status.value, reason, reached, blind, run.reached, done, round(cpu_seconds() - begin, 2)
+        status=found.status.value,
+        reason="" if run.reached else f"{failure(run)}: {run.reason}",
+        reached=reached,
+        blind=blind,
+        believed=run.reached,
+        primitives=len(run.steps),
+        cpu=round(cpu_seconds() - begin, 2),
     )
 
 
@@ -121,8 +121,7 @@ def as_problem(
     assert relations is not None, "relations were learned"
     items = items_of(asked.start, bench.categorise)
     names = [item.name for item in items]
-    heights = {target: items[target].features[2] / 2 for target in asked.places}
-    goals = {names[n]: (place.x, place.y, heights[n]) for n, place in asked.places.items()}
+    goals = {names[n]: (place.x, place.y, items[n].features[2] / 2) for n, place in asked.places.items()}
     plain = with_contacts(Problem(name, items, goals, TOLERANCE), asked.contacts)
     plain = with_pairs(plain, relations, sight)
     wanted = []
@@ -138,5 +137,24 @@ def as_problem(
     return msgspec.structs.replace(plain, relations=tuple(wanted))
 
 
-def _is_met(asked: Asked, world: Remembering) -> bool:
-    return world.last is not None and asked.is_met(world.last)
+def one_by_one(folder: Path, draw: Draw, seeds: Sequence[int]) -> list[bool]:
+    """Say of tasks whether they are reached with symbols of one object at a time."""
+    bench = bench_of(folder)
+    return [_is_reached(bench, draw(bench.setting.world, seed)) for seed in seeds]
+
+
+def _is_reached(bench: Bench, asked: Asked) -> bool:
+    world, grounding = bench.setting.world, bench.setting.grounding
+    items = items_of(asked.start, bench.categorise)
+    scene, outcome = asked.start, None
+    for target, reference in asked.deeds:
+        carriers = carriers_for(items[target], grounding, TOLERANCE)
+        if not carriers:
+            return False
+        action = np.array(grounding.primitive_of(carriers[0]).action)
+        try:
+            outcome = world.interact(scene, action, target, **relative_to(world, reference))
+        except InvalidValue:  # the step before left an object where the arm cannot reach
+            return False
+        scene = outcome.end
+    return outcome is not None and asked.is_met(outcome)

@@ -19,8 +19,8 @@ from neurosym.problems import Problem
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.tabletop import Tabletop
 from neurosym.tasks.transition import validate
+from tools.benchmarks.jobs import cpu_seconds
 from tools.benchmarks.scale.made import made_domain, made_problem, write_data
-from tools.benchmarks.spent import cpu_seconds
 
 PLANNERS = ("counting", "fast-downward")
 CEILING = 1800.0

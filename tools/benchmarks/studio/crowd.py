@@ -58,7 +58,7 @@ def measure_crowd() -> dict[str, Any]:
         running = [page.session for page in pages[:RUNNING]]
         for session in running:
             session.plan("fast-downward")
-        wait_for(lambda: all(one.plans and not one.is_planning for one in running), 300)
+        wait_for(lambda: all(one.plans and not one.planning for one in running), 300)
         for session in running:
             session.running.begin()
         wait_for(lambda: all(one.running.seen for one in running), 120)

@@ -19,32 +19,23 @@ from tools.benchmarks.studio.crowd import measure_crowd
 from tools.benchmarks.studio.measures import measure_drags, measure_recording, measure_run, measure_start
 
 RESULTS = Path("docs") / "results"
-PARTS: dict[str, Callable[[], dict[str, Any]]] = {
-    "start": measure_start,
-    "run": measure_run,
-    "drags": measure_drags,
-    "recording": measure_recording,
-    "crowd": measure_crowd,
+PARTS: dict[str, tuple[str, Callable[[], dict[str, Any]]]] = {
+    "start": ("Until the page can be used", measure_start),
+    "run": ("One run, as fast as in reality", measure_run),
+    "drags": ("Goals dragged by mouse", measure_drags),
+    "recording": ("A run as one file", measure_recording),
+    "crowd": ("A class on one server", measure_crowd),
 }
-"""What is measured."""
-TITLES = {
-    "start": "Until the page can be used",
-    "run": "One run, as fast as in reality",
-    "drags": "Goals dragged by mouse",
-    "recording": "A run as one file",
-    "crowd": "A class on one server",
-}
+"""What is measured, by what it is called."""
 
 
 def page(found: dict[str, Any]) -> str:
     """Return the results as a document."""
     lines = ["# Studio", "", "Printed by `python -m tools.benchmarks.studio.evaluate`.", ""]
-    for part, title in TITLES.items():
-        if part not in found:
-            continue
-        lines += [f"## {title}", "", "| what | value |", "| --- | --- |"]
-        lines += [f"| {name} | {value} |" for name, value in found[part].items()]
-        lines += [""]
+    for part, (title, _) in PARTS.items():
+        if part in found:
+            lines += [f"## {title}", "", "| what | value |", "| --- | --- |"]
+            lines += [*(f"| {name} | {value} |" for name, value in found[part].items()), ""]
     return "\n".join(lines)
 
 
@@ -56,9 +47,9 @@ def main() -> None:
     rich.get_console().quiet = True  # on which the server of pages announces itself
     file = RESULTS / "studio.json"
     found = json.loads(file.read_text()) if file.exists() else {}
-    for part, measure in PARTS.items():
+    for part, (title, measure) in PARTS.items():
         if only in (None, part):
-            say(f"measuring: {TITLES[part]}")
+            say(f"measuring: {title}")
             here = this_machine()
             found[part] = measure() | {"machine": f"{here.processor}, {date.today().isoformat()}"}
             write_atomically(file, json.dumps(found, indent=1) + "\n")

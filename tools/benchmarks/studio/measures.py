@@ -15,25 +15,22 @@ from playwright.sync_api import sync_playwright
 
 from neurosym.choices import shipped_domain
 from neurosym.stages.folder import DomainFolder
-from neurosym.studio.desk import Library
+from neurosym.studio.library import Library
+from neurosym.studio.messages import Seen
 from neurosym.studio.server import Studio
+from neurosym.studio.session import Session
 from neurosym.studio.view import film_of
 from tools.benchmarks.studio.browser import FLAGS, SLOW, Window, browser_here, wait_for
 
 STARTS, DRAGS = 3, 12
 
 
-def library(name: str = "tabletop") -> Library:
-    """Read a shipped domain."""
-    folder = shipped_domain(name)
-    assert folder is not None, "it is shipped"
-    return Library(DomainFolder(folder), name, is_shipped=True)
-
-
 @contextmanager
 def studio(problem: str) -> Iterator[Studio]:
-    """Open a studio whose pages begin with a problem."""
-    domain = library()
+    """Open a studio on the shipped domain, whose pages begin with a problem."""
+    folder = shipped_domain("tabletop")
+    assert folder is not None, "it is shipped"
+    domain = Library(DomainFolder(folder), "tabletop", is_shipped=True)
     opened = Studio(domain, problem=domain.load_problem(problem))
     opened.start()
     try:
@@ -43,14 +40,21 @@ def studio(problem: str) -> Iterator[Studio]:
 
 
 @contextmanager
-def window(problem: str) -> Iterator[Window]:
-    """Open a studio, and a window of a real browser that looks at it."""
-    with studio(problem) as opened, sync_playwright() as running:
+def chromium() -> Iterator[Any]:
+    """Start the browser of this machine."""
+    with sync_playwright() as running:
         browser = running.chromium.launch(executable_path=browser_here(), args=list(FLAGS))
         try:
-            yield Window(browser, opened)
+            yield browser
         finally:
             browser.close()
+
+
+@contextmanager
+def window(problem: str) -> Iterator[Window]:
+    """Open a studio, and a window of a real browser that looks at it."""
+    with studio(problem) as opened, chromium() as browser:
+        yield Window(browser, opened)
 
 
 def foreign(asked: list[str]) -> list[str]:
@@ -74,22 +78,20 @@ def memory(process: int) -> float:
 def measure_start() -> dict[str, Any]:
     """Start the command, and open its page in a browser that draws in software."""
     address, usable, asked = [], [], []
+    command = [sys.executable, "-m", "neurosym", "studio", "--no-browser"]
     for _ in range(STARTS):
         began = time.monotonic()
-        command = [sys.executable, "-m", "neurosym", "studio", "--no-browser"]
         process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
         assert process.stdout is not None, "it is a pipe"
         url = process.stdout.readline().split()[-1]
         address.append(time.monotonic() - began)
-        with sync_playwright() as running:
-            browser = running.chromium.launch(executable_path=browser_here(), args=list(FLAGS))
+        with chromium() as browser:
             tab = browser.new_page(viewport={"width": 1400, "height": 900})
             tab.on("request", lambda request: asked.append(request.url))
             opened = time.monotonic()
             tab.goto(url)
             tab.get_by_text("Stands at x, y").wait_for(timeout=1000 * SLOW)
             usable.append(time.monotonic() - opened)
-            browser.close()
         process.send_signal(signal.SIGINT)
         process.wait(30)
     return {
@@ -105,19 +107,20 @@ def measure_run() -> dict[str, Any]:
     with window("task-08") as opened:
         session = opened.page.session
         session.plan("fast-downward")
-        opened.wait(lambda: session.plans and not session.is_planning)
+        opened.wait(lambda: session.plans and not session.planning)
         session.running.begin()
         opened.wait(lambda: session.running.seen)
         ticket = session.running.ticket
         worker = ticket.process if ticket else None
         assert worker is not None, "it runs"
+        told = _poses(session)
         began, ours, theirs = time.monotonic(), cpu_seconds(os.getpid()), cpu_seconds(worker)
-        first, drawn = len(session.running.seen), opened.page.drawn
+        drawn = opened.page.drawn
         opened.wait(lambda: not session.running.is_active or time.monotonic() > began + 10)
         seconds = time.monotonic() - began
         found = {
             "seconds": round(seconds, 1),
-            "poses told a second": round((len(session.running.seen) - first) / seconds, 1),
+            "poses told a second": round(len(told) / seconds, 1),
             "poses drawn a second": round((opened.page.drawn - drawn) / seconds, 1),
             "CPU of the page's server [%]": round(100 * (cpu_seconds(os.getpid()) - ours) / seconds),
             "CPU of the simulator [%]": round(100 * (cpu_seconds(worker) - theirs) / seconds),
@@ -151,20 +154,33 @@ def measure_recording() -> dict[str, Any]:
         opened.open_page()
         session = opened.pages[0].session
         session.plan("fast-downward")
-        wait_for(lambda: session.plans and not session.is_planning)
+        wait_for(lambda: session.plans and not session.planning)
+        seen = _poses(session)
         session.running.begin()
         wait_for(lambda: not session.running.is_active, 120)
         began = time.monotonic()
         running, problem = session.running, session.problem
-        film = film_of(session.library, problem, running.seen, running.records)
+        film = film_of(session.library, problem, seen, running.records)
         seconds = time.monotonic() - began
         return {
             "steps": len(running.records),
-            "poses of the run": len(running.seen),
+            "poses of the run": len(seen),
             "bytes of the file": len(film),
-            "of these, the viewer": len(film_of(session.library, problem, running.seen[:1], running.records)),
+            "of these, the viewer": len(film_of(session.library, problem, seen[:1], running.records)),
             "seconds to make it": round(seconds, 1),
         }
+
+
+def _poses(session: Session) -> list[Seen]:
+    """Return a list to which each pose is added that a session is told from now on."""
+    found: list[Seen] = []
+
+    def hear(topic: str) -> None:
+        if topic == "pose" and (seen := session.running.seen):
+            found.append(seen)
+
+    session.listen(hear)
+    return found
 
 
 def _spread(values: list[float]) -> str:

@@ -5,7 +5,7 @@ The command is `python -m tools.benchmarks.world.digest`; run it on each, and co
 
 import hashlib
 import platform
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import distributions
 from typing import Annotated
 
 import numpy as np
@@ -29,16 +29,9 @@ def main(
         outcome = world.interact(scene, world.action_box.sample(rng, 1)[0], 0, reference=place)
         for end in (outcome.lifted, outcome.end):
             digest.update(end.positions.tobytes() + end.orientations.tobytes())
-    say(f"Python {platform.python_version()}, {_build()}, {count} interactions: {digest.hexdigest()[:16]}")
-
-
-def _build() -> str:
-    for name in BUILDS["pybullet"]:
-        try:
-            return f"{name} {version(name)}"
-        except PackageNotFoundError:
-            continue
-    return "PyBullet of unknown origin"
+    builds = [one for one in distributions() if one.metadata["Name"] in BUILDS["pybullet"]]
+    build = f"{builds[0].metadata['Name']} {builds[0].version}" if builds else "PyBullet of unknown origin"
+    say(f"Python {platform.python_version()}, {build}, {count} interactions: {digest.hexdigest()[:16]}")
 
 
 if __name__ == "__main__":

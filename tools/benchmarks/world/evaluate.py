@@ -7,18 +7,17 @@ import sys
 import time
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import tyro
 
 from neurosym.worlds.workers import perform_all
 from tools.benchmarks.jobs import Evaluation, Job, machine
-from tools.benchmarks.options import Results, Work
+from tools.benchmarks.options import RESULTS, Results, Scale, Work
 from tools.benchmarks.world import measures
 from tools.benchmarks.world.bench import bench, memory
 from tools.benchmarks.world.tables import page
 
-RESULTS, WORK = Path("docs/results"), Path("evaluation/world")
 COMMAND = "make evaluate-world"
 WORKERS = 2
 
@@ -29,12 +28,11 @@ def parts(scale: float) -> dict[str, Job]:
     def some(count: int) -> int:
         return max(4, round(count * scale))
 
+    chaos = measures.predictability
     return {
-        "predictability": partial(measures.predictability, some(1000), 101, WORKERS),
-        "predictability_other_seed": partial(measures.predictability, some(1000), 102, WORKERS),
-        "predictability_at_1_120": partial(
-            measures.predictability, some(1000), 101, WORKERS, time_step=1 / 120
-        ),
+        "predictability": partial(chaos, some(1000), 101, WORKERS),
+        "predictability_other_seed": partial(chaos, some(1000), 102, WORKERS),
+        "predictability_at_1_120": partial(chaos, some(1000), 101, WORKERS, time_step=1 / 120),
         "object_matters": partial(measures.object_matters, some(200), 25, 103, WORKERS),
         "hand_written": partial(measures.hand_written, some(50), 104, WORKERS),
         "carrying": partial(measures.carrying, some(50), 108, WORKERS),
@@ -48,13 +46,7 @@ def parts(scale: float) -> dict[str, Job]:
     }
 
 
-def main(
-    scale: Annotated[
-        float, tyro.conf.arg(help="How many interactions, as a share of the full number.")
-    ] = 1.0,
-    work: Work = WORK,
-    results: Results = RESULTS,
-) -> None:
+def main(scale: Scale = 1.0, work: Work = Path("evaluation/world"), results: Results = RESULTS) -> None:
     """Measure part after part, and write the results."""
     evaluation, names = Evaluation("world", work / f"{scale:g}", results), parts(scale)
     evaluation.perform(names, "measuring", fresh=True)

@@ -6,7 +6,8 @@ it?) and are never shown to the robot.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Float
@@ -37,7 +38,10 @@ MOST_OFF_AXIS = 0.35
 _OPEN, _CLOSED = 1.0, 0.0
 
 
-def _action(*waypoints: tuple[float, float, float, float]) -> Action:
+_Waypoint = tuple[float, float, float, float]
+
+
+def _action(*waypoints: _Waypoint) -> Action:
     return np.array(waypoints, dtype=float).ravel()
 
 
@@ -79,19 +83,20 @@ def _straight(axis: int, start: float, end: float, gripper: float) -> Action:
     return waypoints.ravel()
 
 
-def _grip(features: Features) -> float | None:
-    """Return where along y the hand closes: around the object, or around a wall; None if nowhere."""
+def _gripped(features: Features, then: Callable[[float], tuple[_Waypoint, _Waypoint]]) -> Action | None:
+    """Open the hand where along y it closes around an object or a wall, and go on; None if nowhere."""
     if _is_spannable(features):
-        return 0.0
-    return min(REACH, float(features[1] - WALL) / 2) if _is_open(features) else None
+        y = 0.0
+    elif _is_open(features):
+        y = min(REACH, float(features[1] - WALL) / 2)
+    else:
+        return None
+    return _action((0.0, y, 0.0, _OPEN), *then(y))
 
 
 def grasp(features: Features) -> Action | None:
     """Grasp an object, around it or by a wall; None if it does not afford that."""
-    y = _grip(features)
-    return (
-        None if y is None else _action((0.0, y, 0.0, _OPEN), (0.0, y, 0.0, _CLOSED), (0.0, y, REACH, _CLOSED))
-    )
+    return _gripped(features, lambda y: ((0.0, y, 0.0, _CLOSED), (0.0, y, REACH, _CLOSED)))
 
 
 def carry_to(features: Features) -> Action | None:
@@ -99,32 +104,21 @@ def carry_to(features: Features) -> Action | None:
 
     For interactions with a place as reference: an object held by a wall is set down as far beside it.
     """
-    y = _grip(features)
-    return (
-        None if y is None else _action((0.0, y, 0.0, _OPEN), (0.0, y, 0.0, _CLOSED), (0.0, y, 0.0, _CLOSED))
-    )
+    return _gripped(features, lambda y: ((0.0, y, 0.0, _CLOSED), (0.0, y, 0.0, _CLOSED)))
 
 
 def pick_and_place(features: Features) -> Action | None:
     """Carry an object through the air to another place; None if it does not afford that."""
-    y = _grip(features)
-    if y is None:
-        return None
-    there = (REACH, y - REACH)
-    return _action((0.0, y, 0.0, _OPEN), (*there, CARRY, _CLOSED), (*there, REACH, _OPEN))
+    return _gripped(
+        features, lambda y: ((REACH, y - REACH, CARRY, _CLOSED), (REACH, y - REACH, REACH, _OPEN))
+    )
 
 
-@dataclass(frozen=True, slots=True)
-class HandWritten:
-    """A primitive written by hand.
+class HandWritten(NamedTuple):
+    """A primitive written by hand."""
 
-    Attributes:
-        action: What to do with an object of these features; None if it does not afford it.
-        failure: What went wrong, or an empty text.
-    """
-
-    action: Callable[[Features], Action | None]
-    failure: Callable[[Outcome], str]
+    action: Callable[[Features], Action | None]  # what to do with an object; None if it does not afford it
+    failure: Callable[[Outcome], str]  # what went wrong, or an empty text
 
 
 def _push_failure(axis: int, sign: int) -> Callable[[Outcome], str]:
@@ -153,15 +147,11 @@ def _carry_failure(outcome: Outcome) -> str:
     return "" if np.linalg.norm(outcome.effect[:2]) >= LEAST_CARRY else "hardly moved"
 
 
-def _push(axis: int, sign: int) -> HandWritten:
-    return HandWritten(lambda features: push(features, axis, sign), _push_failure(axis, sign))
-
-
 HAND_WRITTEN = {
-    "right": _push(1, -1),
-    "left": _push(1, 1),
-    "forward": _push(0, 1),
-    "pull": _push(0, -1),
+    "right": HandWritten(partial(push, axis=1, sign=-1), _push_failure(1, -1)),
+    "left": HandWritten(partial(push, axis=1, sign=1), _push_failure(1, 1)),
+    "forward": HandWritten(partial(push, axis=0, sign=1), _push_failure(0, 1)),
+    "pull": HandWritten(partial(push, axis=0, sign=-1), _push_failure(0, -1)),
     "grasp": HandWritten(grasp, _grasp_failure),
     "pick-and-place": HandWritten(pick_and_place, _carry_failure),
 }

@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -14,8 +15,8 @@ from neurosym.sim.config import OPEN_THROUGH, OPEN_TOP, SHAPES, SOLID, TabletopC
 from neurosym.sim.simulation import sample_scene
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import Outcome, Place, Table
-from neurosym.worlds.workers import Perform, Task, crew, perform_all
-from tools.benchmarks.world.hand_written import HAND_WRITTEN, HandWritten, carry_to
+from neurosym.worlds.workers import Task, crew, perform_all
+from tools.benchmarks.world.hand_written import HAND_WRITTEN, carry_to
 
 NUDGE = 1e-4
 """Length of the vector by which an action is changed to see whether its effect survives [m]."""
@@ -92,7 +93,10 @@ def random_outcomes(outcomes: Sequence[Outcome]) -> Results:
         "open, spannable": hollow & ~wide,
         "open, too wide": hollow & wide,
     }
-    bottoms = np.array([_lowest(outcome) for outcome in outcomes])
+    # how high the lowest possible point of the target lies at the end: at least 0 on a table [m]
+    bottoms = [
+        one.end.positions[one.target][2] - one.start.features[one.target][:3].min() / 2 for one in outcomes
+    ]
     moved = np.linalg.norm(data.resting_effects, axis=1)
     return {
         "interactions": len(data),
@@ -105,14 +109,8 @@ def random_outcomes(outcomes: Sequence[Outcome]) -> Results:
         "lost": float(data.lost.mean()),
         "moved_less_than_1cm": float(np.mean(np.linalg.norm(data.effects, axis=1) < 0.01)),
         "greatest_displacement_m": float(moved.max()),
-        "below_the_table": int(np.sum(bottoms < -0.002)),
+        "below_the_table": int(np.sum(np.array(bottoms) < -0.002)),
     }
-
-
-def _lowest(outcome: Outcome) -> float:
-    """Return how high the lowest possible point of the target lies at the end: at least 0 on a table [m]."""
-    half = float(outcome.start.features[outcome.target][:3].min()) / 2
-    return float(outcome.end.positions[outcome.target][2]) - half
 
 
 def object_matters(actions: int, objects: int, seed: int, workers: int) -> Results:
@@ -134,19 +132,17 @@ def object_matters(actions: int, objects: int, seed: int, workers: int) -> Resul
         "objects": objects,
         "share_of_action_alone": float((alone / (alone + within)).mean()),
         "by_axis": (alone / (alone + within)).tolist(),
-        "outcomes_by_kind": _outcomes_by_kind(scenes, outcomes, actions, objects),
+        "outcomes_by_kind": _outcomes_by_kind(
+            [kind_of(one.features[0]) for one in scenes], outcomes, actions
+        ),
     }
 
 
-def _outcomes_by_kind(
-    scenes: Sequence[Any], outcomes: Sequence[Outcome], actions: int, objects: int
-) -> Results:
-    kinds = [kind_of(scene.features[0]) for scene in scenes]
+def _outcomes_by_kind(kinds: Sequence[str], outcomes: Sequence[Outcome], actions: int) -> Results:
     found: dict[str, Counter[str]] = {kind: Counter() for kind in sorted(set(kinds))}
     for number, outcome in enumerate(outcomes):
-        moved = np.linalg.norm(outcome.effect) >= 0.01
-        mode = "unmoved" if outcome.kind == "resting" and not moved else outcome.kind
-        found[kinds[number % objects]][mode] += 1
+        is_unmoved = outcome.kind == "resting" and np.linalg.norm(outcome.effect) < 0.01
+        found[kinds[number % len(kinds)]]["unmoved" if is_unmoved else outcome.kind] += 1
     return {
         kind: {"objects": kinds.count(kind)}
         | {mode: round(count / (actions * kinds.count(kind)), 3) for mode, count in sorted(modes.items())}
@@ -156,31 +152,19 @@ def _outcomes_by_kind(
 
 def hand_written(objects: int, seed: int, workers: int) -> Results:
     """Perform the hand-written primitives on objects of each shape that afford them."""
-    table: Results = {}
+    table: Results = {name: {} for name in HAND_WRITTEN}
     with crew(factory(), workers) as perform:
-        for name, primitive in HAND_WRITTEN.items():
-            table[name] = {shape: _success(perform, primitive, shape, objects, seed) for shape in SHAPES}
+        for (name, primitive), shape in product(HAND_WRITTEN.items(), SHAPES):
+            tasks, drawn = _afforded(primitive.action, shape, objects, seed)
+            failures = Counter(map(primitive.failure, perform(tasks)))
+            succeeded = failures.pop("", 0)
+            table[name][shape] = {
+                "success": succeeded / objects,
+                "objects": objects,
+                "afforded_by": round(objects / drawn, 3),
+                "failures": dict(sorted(failures.items())),
+            }
     return table
-
-
-def _success(perform: Perform, primitive: HandWritten, shape: str, objects: int, seed: int) -> Results:
-    config = TabletopConfig(shapes={shape: 1.0})
-    tasks: list[Task] = []
-    drawn = 0
-    while len(tasks) < objects:
-        scene = sample_scene(config, np.random.default_rng([seed, drawn]), 1)
-        drawn += 1
-        action = primitive.action(scene.features[0])
-        if action is not None:
-            tasks.append(Task(scene, action))
-    failures = Counter(map(primitive.failure, perform(tasks)))
-    succeeded = failures.pop("", 0)
-    return {
-        "success": succeeded / objects,
-        "objects": objects,
-        "afforded_by": round(objects / drawn, 3),
-        "failures": dict(sorted(failures.items())),
-    }
 
 
 def carrying(objects: int, seed: int, workers: int) -> Results:
@@ -188,16 +172,30 @@ def carrying(objects: int, seed: int, workers: int) -> Results:
     table: Results = {}
     with crew(factory(), workers) as perform:
         for shape in SHAPES:
-            config, tasks, drawn = TabletopConfig(shapes={shape: 1.0}), list[Task](), 0
-            while len(tasks) < objects:
-                rng = np.random.default_rng([seed, drawn])
-                scene, place = sample_scene(config, rng, 1), random_place(rng, config.table, MARGIN)
-                drawn += 1
-                if (action := carry_to(scene.features[0])) is not None:
-                    tasks.append(Task(scene, action, reference=place))
+            tasks, drawn = _afforded(carry_to, shape, objects, seed, to_places=True)
             outcomes = [*perform(tasks)]
             table[shape] = {"afforded_by": round(objects / drawn, 3), **_carried(outcomes)}
     return table
+
+
+def _afforded(
+    act: Callable[[np.ndarray], np.ndarray | None],
+    shape: str,
+    objects: int,
+    seed: int,
+    *,
+    to_places: bool = False,
+) -> tuple[list[Task], int]:
+    """Draw objects until so many afford an action; return these, and how many were drawn."""
+    config, tasks, drawn = TabletopConfig(shapes={shape: 1.0}), list[Task](), 0
+    while len(tasks) < objects:
+        rng = np.random.default_rng([seed, drawn])
+        scene = sample_scene(config, rng, 1)
+        place = random_place(rng, config.table, MARGIN) if to_places else None
+        drawn += 1
+        if (action := act(scene.features[0])) is not None:
+            tasks.append(Task(scene, action, reference=place))
+    return tasks, drawn
 
 
 def _carried(outcomes: Sequence[Outcome]) -> Results:
@@ -214,16 +212,9 @@ def _carried(outcomes: Sequence[Outcome]) -> Results:
 def predictability_of_carrying(count: int, seed: int, workers: int) -> Results:
     """Perform random actions with a place as reference, and once more with the action changed by 0.1 mm."""
     world = Tabletop()
-    plain, nudged = (
-        random_tasks(count, seed, world=world),
-        random_tasks(count, seed, nudge=NUDGE, world=world),
-    )
+    runs = [random_tasks(count, seed, nudge=nudge, world=world) for nudge in (0.0, NUDGE)]
     places = [random_place(np.random.default_rng([seed, n, 1]), world.table) for n in range(count)]
-    tasks = [
-        replace(task, reference=place)
-        for run in (plain, nudged)
-        for task, place in zip(run, places, strict=True)
-    ]
+    tasks = [replace(task, reference=place) for run in runs for task, place in zip(run, places, strict=True)]
     outcomes = [*perform_all(factory(), tasks, workers)]
     carried = np.array([outcome.carried for outcome in outcomes]).reshape(2, count)
     ends = np.array([outcome.end.positions[0] for outcome in outcomes]).reshape(2, count, 3)
@@ -246,14 +237,14 @@ def random_place(rng: np.random.Generator, table: Table, margin: float = 0.0) ->
 
 def several_objects(scenes: int, objects: int, seed: int, workers: int) -> Results:
     """Act on one of several objects, and count what that does to the others."""
-    tasks = random_tasks(scenes, seed, objects=objects)
-    outcomes = [*perform_all(factory(), tasks, workers)]
+    outcomes = [*perform_all(factory(), random_tasks(scenes, seed, objects=objects), workers)]
+    touched, moved = (
+        np.array([bool(getattr(one, what)) for one in outcomes]) for what in ("touched", "disturbed")
+    )
     return {
         "scenes": scenes,
         "objects": objects,
-        "robot_touched_a_bystander": float(np.mean([bool(outcome.touched) for outcome in outcomes])),
-        "a_bystander_moved": float(np.mean([bool(outcome.disturbed) for outcome in outcomes])),
-        "moved_untouched": float(
-            np.mean([bool(outcome.disturbed) and not outcome.touched for outcome in outcomes])
-        ),
+        "robot_touched_a_bystander": float(touched.mean()),
+        "a_bystander_moved": float(moved.mean()),
+        "moved_untouched": float((moved & ~touched).mean()),
     }

@@ -2,19 +2,19 @@
 
 from typing import Any
 
-from neurosym.evaluation.summary import markdown_table
+from tools.benchmarks.tables import document, listed, table
 
 
 def page(results: dict[str, Any]) -> str:
     """Write the page."""
     details = results["details"]
     matters = details["object_matters"]
-    machine = ", ".join(f"{name} {value}" for name, value in results["machine"].items())
-    sections = [
+    return document(
         "# The tabletop world, measured",
-        f"By `{results['command']}`, which wrote this page and `world.json`. Machine: {machine}.",
+        f"By `{results['command']}`, which wrote this page and `world.json`. "
+        f"Machine: {listed(results['machine'])}.",
         "## Main figures",
-        markdown_table(["figure", "value"], _main_figures(results)),
+        table(["figure", "value"], _main_figures(results)),
         "## Hand-written primitives",
         "Success on objects that afford the primitive; in brackets the share of objects that do.",
         _hand_written(results["hand_written"]),
@@ -29,8 +29,7 @@ def page(results: dict[str, Any]) -> str:
         _outcomes(matters["outcomes_by_kind"]),
         "## Speed",
         _speeds(details),
-    ]
-    return "\n\n".join(sections) + "\n"
+    )
 
 
 def _main_figures(results: dict[str, Any]) -> list[list[str]]:
@@ -39,6 +38,7 @@ def _main_figures(results: dict[str, Any]) -> list[list[str]]:
     other = details["predictability_other_seed"]
     by_shape = ", ".join(f"{shape} {share:.3f}" for shape, share in chaos["by_shape"].items())
     held = ", ".join(f"{kind} {share:.1%}" for kind, share in chance["held_by_kind"].items())
+    by_axis = ", ".join(f"{share:.2f}" for share in details["object_matters"]["by_axis"])
     rows = [
         ["share of the effects' variance that survives 0.1 mm", f"{chaos['share']:.3f} ({by_shape})"],
         ["the same, another seed; at 1/120 s", f"{other['share']:.3f}; {coarse['share']:.3f}"],
@@ -54,36 +54,32 @@ def _main_figures(results: dict[str, Any]) -> list[list[str]]:
         ["ended inside the table", str(chance["below_the_table"])],
         [
             "variance of the effect decided by the action alone (x, y, z)",
-            f"{results['variance_by_action_alone']:.2f} ("
-            + ", ".join(f"{share:.2f}" for share in details["object_matters"]["by_axis"])
-            + ")",
+            f"{results['variance_by_action_alone']:.2f} ({by_axis})",
         ],
         [
             f"{chance['interactions']} random interactions with {chance['workers']} workers",
             f"{chance['minutes']} min",
         ],
     ]
-    for name in ("two_objects", "eight_objects"):
-        part = details[name]
-        rows.append(
-            [
-                f"{part['objects']} objects: the robot touched another; another moved by over 5 mm",
-                f"{part['robot_touched_a_bystander']:.1%}; {part['a_bystander_moved']:.1%}",
-            ]
-        )
-    return rows
+    return rows + [
+        [
+            f"{part['objects']} objects: the robot touched another; another moved by over 5 mm",
+            f"{part['robot_touched_a_bystander']:.1%}; {part['a_bystander_moved']:.1%}",
+        ]
+        for part in (details["two_objects"], details["eight_objects"])
+    ]
 
 
-def _hand_written(table: dict[str, Any]) -> str:
-    shapes = list(next(iter(table.values())))
+def _hand_written(found: dict[str, Any]) -> str:
+    shapes = list(next(iter(found.values())))
     rows = [
         [name, *(f"{row[shape]['success']:.0%} ({row[shape]['afforded_by']:.0%})" for shape in shapes)]
-        for name, row in table.items()
+        for name, row in found.items()
     ]
-    return markdown_table(["primitive", *shapes], rows)
+    return table(["primitive", *shapes], rows)
 
 
-def _carrying(table: dict[str, Any], chaos: dict[str, Any]) -> str:
+def _carrying(found: dict[str, Any], chaos: dict[str, Any]) -> str:
     rows = [
         [
             f"{shape} ({row['objects']} objects; {row['afforded_by']:.0%} can be grasped so)",
@@ -91,7 +87,7 @@ def _carrying(table: dict[str, Any], chaos: dict[str, Any]) -> str:
             *(f"{offset:.1f}" for offset in row["offset_mm"]),
             f"{row['turn_degrees']:.1f}",
         ]
-        for shape, row in table.items()
+        for shape, row in found.items()
     ]
     columns = ["shape", "set down there", "median offset [mm]", "90 % [mm]", "90 % of turns [degrees]"]
     median, most = chaos["carried_ends_apart_mm"]
@@ -101,13 +97,13 @@ def _carrying(table: dict[str, Any], chaos: dict[str, Any]) -> str:
         f"{chaos['ends_apart_by_over_10_mm']:.1%} end over 10 mm apart; what is carried both times ends "
         f"{median} mm apart (90 %: {most} mm)."
     )
-    return f"{markdown_table(columns, rows)}\n\n{said}"
+    return f"{table(columns, rows)}\n\n{said}"
 
 
-def _failures(table: dict[str, Any]) -> str:
+def _failures(hand_written: dict[str, Any]) -> str:
     found = [
         f"{name} on {shape}: " + ", ".join(f"{count} {reason}" for reason, count in cell["failures"].items())
-        for name, row in table.items()
+        for name, row in hand_written.items()
         for shape, cell in row.items()
         if cell["failures"]
     ]
@@ -120,7 +116,7 @@ def _outcomes(kinds: dict[str, dict[str, float]]) -> str:
         [kind, f"{row['objects']:.0f}", *(f"{row.get(mode, 0.0):.1%}" for mode in modes)]
         for kind, row in kinds.items()
     ]
-    return markdown_table(["kind", "objects", *modes], rows)
+    return table(["kind", "objects", *modes], rows)
 
 
 def _speeds(details: dict[str, Any]) -> str:
@@ -130,10 +126,8 @@ def _speeds(details: dict[str, Any]) -> str:
     memory = details["memory"]
     spent = ", ".join(f"{part} {share:.0%}" for part, share in fine["profile"].items())
     grown = f"{memory['memory_growth_mb']} MB over {memory['memory_growth_over_interactions']} interactions"
-    return "\n\n".join(
-        [
-            markdown_table(["figure", "1/240 s", "1/120 s"], rows),
-            f"Where the time goes at 1/240 s, as the profiler sees it: {spent}.",
-            f"One worker takes {memory['memory_mb_a_worker']} MB and grows by {grown}.",
-        ]
+    return (
+        f"{table(['figure', '1/240 s', '1/120 s'], rows)}\n\n"
+        f"Where the time goes at 1/240 s, as the profiler sees it: {spent}.\n\n"
+        f"One worker takes {memory['memory_mb_a_worker']} MB and grows by {grown}."
     )

@@ -1,0 +1,164 @@
+"""The panel `Tour`: six cards for a newcomer, each with what it speaks of to be tried."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from neurosym.report.symbols import promises_for
+from neurosym.studio.desk import Topic
+from neurosym.studio.page import Page, Panel, set_content
+from neurosym.studio.session import planners_here
+from neurosym.studio.words import paragraph, safe
+
+BEFORE, NEXT = "Card before", "Next card"
+
+
+def _recall(page: Page, number: int) -> None:
+    """Have an interaction happen again in which an object went far, each time another one."""
+    data, row = page.session.library.interactions, 0
+    if data is not None:
+        far = np.where(data.toppled | data.lost, -1.0, np.linalg.norm(data.effects, axis=1))
+        row = int(np.argsort(far)[-1 - (len(far) // 50 + number) % len(far)])
+    page.session.running.recall(row)
+
+
+def _perform(page: Page, number: int) -> None:
+    """Try what the chosen object is surest to do as promised, and then what it is less sure to do."""
+    grounding = page.session.library.grounding
+    if promises := promises_for(page.item, grounding) if page.item else ():
+        primitive = grounding.primitive_of(promises[number % len(promises)].operator)
+        page.session.running.perform(page.selected, primitive.action)
+    else:
+        page.session.say("Nothing is known to be done to this object; choose another one.", is_bad=True)
+
+
+@dataclass(frozen=True, slots=True)
+class Card:
+    """One card: what it says, and what its button does, given how often it was pressed before."""
+
+    title: str
+    sentences: tuple[str, ...]  # words in braces are numbers of the domain
+    button: str = ""
+    act: Callable[[Page, int], object] = lambda *_: None
+
+
+CARDS = (
+    Card(
+        "an experience and its effect",
+        (
+            "The robot begins without words. It moves its hand through three points near an object, opens "
+            "or closes it at each, and looks what happens. It did so {interactions} times. Press the button "
+            "to see one of them happen again; then your table is back.",
+            "Of each experience three numbers are kept: how far the object moved forward, to the left and "
+            "up. That is the effect. It stands above the panels when the motion is over.",
+        ),
+        "See an experience",
+        _recall,
+    ),
+    Card(
+        "a bit",
+        (
+            "A program that learns from examples, a neural network, predicts effects. But all that it may "
+            "use of an object is {object_bits} bits, each 0 or 1. So it must choose what matters.",
+            "On the panel Table, change the size of an object with the sliders until one bit flips. The bars "
+            "show how far each bit is from its flip.",
+        ),
+    ),
+    Card(
+        "a category",
+        (
+            "Objects with the same bits are one category. The robot expects the same of all of them.",
+            "Nobody told it the {categories} categories that there are here. Their names were made "
+            "afterwards, from what was measured. Draw objects, and others, and compare the bits above them.",
+        ),
+        "Draw two objects",
+        lambda page, number: page.session.draw(2, number, None),
+    ),
+    Card(
+        "a primitive and an operator",
+        (
+            "Motions get bits, too: {action_bits} of them. For each pattern of bits the robot finds a motion "
+            "that stands for it, a primitive; there are {primitives}. What a primitive does to a category "
+            "is an operator, of which it has {operators}. Each was tried many times, so it is known where "
+            "an object ends, and how surely.",
+            "On the panel Symbols, arrows show where operators take the object that is chosen. See what is "
+            "surest, and press again to see what is less sure.",
+        ),
+        "Perform a primitive",
+        _perform,
+    ),
+    Card(
+        "a plan",
+        (
+            "Operators are printed as PDDL, a language that planners read. A planner is a program that knows "
+            "nothing of arms. It finds which operators lead to the goal, one after another.",
+            "The see-through objects are goals: so shall things stand. Drag a goal by the ball above it if "
+            "you like, and press the button. The panel Plan shows each step.",
+        ),
+        "Plan to the goal",
+        lambda page, _: page.session.plan(planners_here()[0]),
+    ),
+    Card(
+        "what went otherwise",
+        (
+            "Now the arm does it. The panel Run compares what each step promised with what happened.",
+            "Where they part so far that the goal would be missed, the robot plans anew. Take an object by "
+            "its body while it runs, and drag it elsewhere: before the next step it is there.",
+        ),
+        "Run the plan",
+        lambda page, _: page.session.running.begin(),
+    ),
+)
+
+
+class TourPanel(Panel):
+    """Shows one card at a time, and does what it speaks of."""
+
+    def build(self) -> None:
+        """Make the card and its buttons; what turns cards stays at one place."""
+        self.number, self._presses = 0, 0
+        turn = self.gui.add_button_group("Card", (BEFORE, NEXT))
+        turn.on_click(lambda event: self.turn(1 if event.target.value == NEXT else -1))
+        self._text = self.gui.add_html("")
+        self._do = self.button("Show me", self.act, color="green")
+        self.button("Stop", self.stop, color="red")
+
+    def turn(self, by: int) -> None:
+        """Show another card, as soon as the page is drawn: two threads that draw would cross each other."""
+        self.number, self._presses = min(max(0, self.number + by), len(CARDS) - 1), 0
+        self.page.hear("status")
+
+    def act(self) -> None:
+        """Do what the card speaks of."""
+        CARDS[self.number].act(self.page, self._presses)
+        self._presses += 1
+
+    def stop(self) -> None:
+        """End what is at work."""
+        self.session.stop_planning()
+        self.session.running.stop()
+
+    def text(self) -> str:
+        """Return the card, with the numbers of the domain, as HTML."""
+        grounding, data = self.session.library.grounding, self.session.library.interactions
+        table, card = grounding.operators, CARDS[self.number]
+        values = {
+            "interactions": f"{len(data):,}" if data else "many",
+            "object_bits": len(table.categories[0].symbol) if table.categories else "some",
+            "action_bits": len(table.symbols[0]) if table.symbols else "some",
+            "categories": sum(1 for one in table.categories if one.share),
+            "primitives": len(table.symbols),
+            "operators": len(grounding.live),
+        }
+        head = f"{self.number + 1} of {len(CARDS)}: {card.title}"
+        parts = [f'<h3 style="margin:4px 0">{safe(head)}</h3>']
+        return "".join((*parts, *(paragraph(text.format(**values)) for text in card.sentences)))
+
+    def refresh(self, topics: set[Topic]) -> None:
+        """Show the card, and let nothing be begun while something runs."""
+        if topics & {"run", "status", "plan", "scene"}:
+            button = CARDS[self.number].button
+            self._do.label, self._do.visible = button or "Show me", bool(button)
+            self._do.disabled = self.session.is_running or self.session.planning is not None
+            set_content(self._text, self.text())

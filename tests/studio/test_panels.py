@@ -1,0 +1,118 @@
+"""What a page draws and says: meshes, labels, drags, tables in which nothing is markup, and the tour."""
+
+import numpy as np
+import pytest
+import viser
+from studio_pages import session_on, shipped_library, wait_for, workers
+
+from neurosym.contract import Part
+from neurosym.execution.record import Replanning, Run
+from neurosym.files import read_json
+from neurosym.planners import PlanStatus
+from neurosym.stages.plan_records import PlanRecord
+from neurosym.studio import words
+from neurosym.studio.page import Page
+from neurosym.studio.server import PANELS
+from neurosym.studio.tour import CARDS, TourPanel
+from neurosym.studio.view import Grab, circle, mesh_of, rectangle
+
+PARTS = [
+    (Part("box", (0.1, 0.2, 0.3)), 0.006),
+    (Part("cylinder", (0.1, 0.4)), np.pi * 0.01 * 0.4),
+    (Part("sphere", (0.1,)), 4 / 3 * np.pi * 0.001),
+]
+
+
+@pytest.mark.parametrize(("part", "volume"), PARTS, ids=[part.kind for part, _ in PARTS])
+def test_mesh_is_closed_and_encloses_the_volume_of_its_body(part, volume):
+    mesh = mesh_of([part])
+    assert mesh.is_watertight
+    assert volume * 0.9 < mesh.volume <= volume * 1.0001  # positive, since all faces look outwards
+
+
+def test_parts_stand_where_they_are_put_and_are_one_mesh_and_outlines_are_closed():
+    half = (0.0, 0.0, np.sin(np.pi / 4), np.cos(np.pi / 4))  # a quarter turn
+    box = Part("box", (0.2, 0.1, 0.1), (1.0, 2.0, 3.0), half)
+    assert np.allclose(mesh_of([box]).bounds[1], [1.05, 2.1, 3.05])
+    both = mesh_of([box, Part("sphere", (1.0,))])
+    assert np.allclose(both.bounds, [[-1.0, -1.0, -1.0], [1.05, 2.1, 3.05]], atol=0.02)
+    assert both.faces.max() == len(both.vertices) - 1
+    for lines in (circle(0.05, 0.0), rectangle(0.1, 0.2, 0.0)):
+        assert np.allclose(lines[:, 1], np.roll(lines[:, 0], -1, axis=0))
+
+
+def test_pointer_that_moves_over_the_table_moves_what_was_grabbed_by_as_much():
+    eye = (1.5, 0.0, 1.0)
+    grab = Grab(eye, (0.6, 0.0, 0.1), (0.58, 0.02, 0.04))
+    ahead = np.array(eye) + 0.3 * (np.array([0.7, 0.1, 0.1]) - eye)  # anywhere on the line of sight
+    assert grab.to(ahead) == pytest.approx((0.68, 0.12))
+    for point in ((1, 0, 1), (1, 0, 2)):  # lines of sight that miss the level
+        assert Grab((0, 0, 1), (0, 0, 0), (0, 0, 0)).to(point) is None
+
+
+EVIL = '<img src=x onerror="alert(1)">'
+LIBRARY = shipped_library()
+
+
+@pytest.mark.parametrize(
+    "told",
+    [
+        words.replanning_list([Replanning(2, EVIL, (), EVIL)]),
+        words.plan_summary(PlanRecord("a", EVIL, PlanStatus.FAILED, (), 0.1, EVIL)),
+        words.table([EVIL], [], label=EVIL),
+        words.paragraph(EVIL, "red", head=EVIL, more=EVIL),
+        words.twofold(EVIL, EVIL),
+    ],
+)
+def test_what_comes_from_outside_is_never_markup(told):
+    assert words.safe(EVIL) == "&lt;img src=x onerror=&quot;alert(1)&quot;&gt;"
+    assert "\x1b" not in words.safe("\x1b[31m")
+    assert "<img" not in told
+    assert "&lt;img" in told
+
+
+def test_plans_and_runs_are_told_with_their_steps_and_promises():
+    record = read_json(LIBRARY.folder / "plans" / "task-02.fast-downward.json", PlanRecord)
+    told = words.plan_table(record, LIBRARY.load_problem("task-02"), LIBRARY.grounding, at=1)
+    assert all(operator in told and name in told for operator, name, *_ in record.steps)
+    assert told.count('aria-current="step"') == 1
+    run = read_json(LIBRARY.folder / "runs" / "task-02.fast-downward.run.json", Run)
+    assert words.run_table(run.steps).count("as promised") == sum(step.as_promised for step in run.steps)
+
+
+@pytest.fixture
+def tour():
+    with workers() as both, session_on(LIBRARY, both) as session:
+        server = viser.ViserServer("127.0.0.1", 0, verbose=False)
+        page = Page(server, session, PANELS)
+        session.running.steer(speed=0.0)
+        yield next(panel for panel in page.panels if isinstance(panel, TourPanel))
+        page.close()
+        server.stop()
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_each_card_does_what_it_says_and_can_be_stopped(tour):
+    session, said = tour.session, []
+    session.running.steer(speed=0.2)
+    tour.act()
+    wait_for(lambda: session.running.seen)
+    tour.stop()
+    wait_for(lambda: not session.running.is_active)
+    session.running.steer(speed=0.0)
+    for number, card in enumerate(CARDS, start=1):
+        assert f"{number} of {len(CARDS)}: {card.title}" in tour.text()
+        assert "{" not in tour.text()
+        before = session.word
+        tour.act()
+        wait_for(lambda before=before, card=card: not card.button or session.word is not before)
+        wait_for(lambda: not (session.running.is_active or session.planning))
+        said.append(session.word.text)
+        tour.turn(1)
+    recalled, _, drawn, performed, planned, ran = said
+    assert "; the effect is" in recalled
+    assert drawn == "a task with 2 objects is on the table"
+    assert performed.startswith("it ended ")
+    assert "found a plan of" in planned
+    assert "goal reached" in ran
+    assert session.running.run.reached

@@ -1,0 +1,62 @@
+"""How figures are written into pages of Markdown."""
+
+from collections.abc import Mapping, Sequence
+from statistics import mean, stdev
+from typing import Any
+
+from neurosym.evaluation.summary import markdown_table
+from neurosym.stages.verdicts import wilson
+
+NOT_YET = "not measured yet"
+
+
+def document(*parts: str) -> str:
+    """Join the parts of a page."""
+    return "\n\n".join(parts) + "\n"
+
+
+def table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Write a table, or say that there is nothing to write yet."""
+    return markdown_table(columns, rows) if rows else NOT_YET
+
+
+def listed(values: Mapping[str, Any]) -> str:
+    """Write names with their values, as of a machine."""
+    return ", ".join(f"{name} {value}" for name, value in values.items())
+
+
+def counts(reasons: Mapping[str, int]) -> str:
+    """Write reasons, each with how often it was one."""
+    return ", ".join(f"{reason} ({count})" for reason, count in reasons.items()) or "-"
+
+
+def number(value: float | None, digits: int = 2) -> str:
+    """Write a number, or a dash for none."""
+    return "-" if value is None else f"{value:.{digits}f}"
+
+
+def percent(share: float | None, spread: float | None = None, digits: int = 0) -> str:
+    """Write a share with its standard deviation, or a dash for none."""
+    if share is None:
+        return "-"
+    told = f"{100 * share:.{digits}f}"
+    return f"{told} ± {100 * spread:.{digits}f} %" if spread is not None else f"{told} %"
+
+
+def with_interval(share: float | None, of: int, spread: str = "") -> str:
+    """Write a share with its Wilson interval at 95 %, or a dash for none."""
+    if share is None:
+        return "-"
+    low, high = wilson(round(share * of), of)
+    return f"{100 * share:.0f} %{spread} ({100 * low:.0f} to {100 * high:.0f})"
+
+
+def over_seeds(values: Sequence[float | None], form: str = "{:.1f}", digits: int = 1) -> str:
+    """Write mean and standard deviation of what is known, or a dash if nothing is."""
+    known = [value for value in values if value is not None]
+    return (form.format(mean(known)) if known else "-") + spread_of(known, digits)
+
+
+def spread_of(known: Sequence[float], digits: int) -> str:
+    """Write the standard deviation of several values; nothing of a single one."""
+    return f" ± {stdev(known):.{digits}f}" if len(known) > 1 else ""
