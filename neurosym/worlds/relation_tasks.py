@@ -109,10 +109,9 @@ def draw_relation_task(
             if found := _KINDS[kind](drawing):
                 return found
     asked = f" in the state {state}" if state else ""
-    high = f" of height {height}" if lower else ""
     raise InvalidValue(
-        f"None of {_DRAWS} draws of {objects} objects has a task {kind!r}{asked}{high} that "
-        f"what was learned can do; ask for more objects{lower}, or another state."
+        f"None of {_DRAWS} draws of {objects} objects has a task {kind!r}{asked} that "
+        "what was learned can do; ask for more objects, or another state."
     )
 
 
