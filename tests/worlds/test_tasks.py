@@ -19,6 +19,7 @@ from neurosym.stages.problem_making import draw_any_task
 from neurosym.tasks.supports import bearers_of
 from neurosym.tasks.task import footprints_apart, overlapping, unmet_relations
 from neurosym.world import Scene, Table
+from neurosym.worlds.relation_tasks import draw_relation_task
 from neurosym.worlds.task_drawing import (
     AWAY,
     CROWDED,
@@ -248,3 +249,9 @@ def test_tasks_of_relations_that_cannot_be_are_refused_in_one_sentence(call, sai
 def without_relations():
     learned = msgspec.structs.replace(grounding(), relations=None)
     return draw_any_task(WORLD, kind_of, learned, "tower", name="drawn", objects=3, seed=0)
+
+
+def test_a_task_that_no_draw_has_is_refused():
+    world, known = Known(WORLD.config), grounding().relations
+    with pytest.raises(InvalidValue, match=r"None of .* draws of 3 objects has a task 'tower' that"):
+        draw_relation_task(world, kind_of, known, lambda _: {}, "tower", name="drawn", objects=3, seed=0)
