@@ -14,7 +14,7 @@ from neurosym.pddl.compiler import problem_text
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
 from neurosym.regression import fit
-from neurosym.tasks.promises import chances_of, is_rehearsed, keeps_promises, promised, usable, why_unfit
+from neurosym.tasks.promises import chances_of, is_rehearsed, promised, usable, why_unfit
 from neurosym.tasks.transition import PlanStep, validate
 
 AWAY = "push-away-001-block"
@@ -124,14 +124,3 @@ def test_one_feature_that_decides_is_found_among_four(column: int):
     chances = np.array([found.chance(row, TOLERANCE) for row in at])
     assert chances[objects[:, column] > 0.14].max() < 0.3
     assert chances[objects[:, column] < 0.1].min() > 0.7
-
-
-def test_few_rehearsals_keep_the_promise_that_is_the_mean_if_they_come_near_it():
-    learned = rehearsed(count=5)
-    operator = learned.operator_named(AWAY)
-    assert operator.promise is not None
-    misses = [math.dist(one.outcome, operator.promise.outcome) for one in operator.rehearsals]
-    within = sorted(misses)[2]
-    kept = keeps_promises(operator, learned.category(operator.category), within)
-    assert kept == tuple(miss <= within for miss in misses)
-    assert sum(kept) == 3

@@ -7,7 +7,6 @@ features, says how sure the promise is (section 5.4.2). Where rehearsals are not
 promise what they promise to the category.
 """
 
-import math
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from types import MappingProxyType
@@ -63,20 +62,6 @@ def why_unfit(operator: Operator, grounding: Grounding) -> str | None:
 def rehearsed_objects(operator: Operator, category: Category) -> tuple[tuple[float, ...], ...]:
     """Return the features of the objects that an operator was rehearsed on, in that order."""
     return operator.objects or category.objects
-
-
-def keeps_promises(operator: Operator, category: Category, tolerance: float) -> tuple[bool, ...]:
-    """Say of each rehearsal whether it ended as the others promise for its object."""
-    regression, promise = _regression(operator, category), operator.promise
-    if promise is None:
-        return (False,) * len(operator.rehearsals)
-    if regression is None:
-        near = (math.dist(one.outcome, promise.outcome) <= tolerance for one in operator.rehearsals)
-        kinds = (one.kind == promise.kind for one in operator.rehearsals)
-        return tuple(is_kind and is_near for is_kind, is_near in zip(kinds, near, strict=True))
-    kept = np.zeros(len(operator.rehearsals), dtype=bool)
-    kept[regression.is_kind] = regression.keeps(tolerance)
-    return tuple(kept.tolist())
 
 
 def fits_of(grounding: Grounding) -> dict[str, Choice]:
