@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-bits evaluate-planners evaluate-foreign evaluate-scale evaluate-studio faults tutorial architecture docs clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-bits evaluate-planners evaluate-foreign evaluate-scale evaluate-studio faults tutorial architecture pictures docs clean
 
 install: $(VENV)/.installed
 
@@ -109,6 +109,10 @@ docs: install
 # Draws the folders and their imports anew, into docs/images/architecture.svg.
 architecture: install
 	$(BIN)/python -m tools.draw_architecture
+
+# Draws the pictures that open pages of docs/ anew, from the shipped domain and docs/results/.
+pictures: install
+	$(BIN)/python -m tools.draw_docs
 
 # Which planner takes which encoding, into docs/results/planners.*; installs the planners first, and Tamer,
 # which takes no encoding. ENHSP needs Java.

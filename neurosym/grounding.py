@@ -272,9 +272,9 @@ def _live(grounding: Grounding) -> tuple[Operator, ...]:
 def _duplicates(grounding: Grounding) -> dict[str, str]:
     """Say of each operator that does the same as a more reliable one, which one that is and how they compare.
 
-    A planner needs one of them, and a reader, too. The same means: to the same category, with the same kind
-    of promise, and with displacements that differ by less than half a cell on every axis. Of equally reliable
-    operators the first by name is kept. Domains of the first format keep all.
+    The same means: to the same category, with the same kind of promise, and with displacements that differ by
+    less than half a cell on every axis. Of equally reliable operators the first by name is kept. Domains of
+    the first format keep all.
     """
     kept = defaultdict[tuple[str, str], list[tuple[Operator, tuple[float, ...]]]](list)
     reasons = {}

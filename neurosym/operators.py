@@ -73,7 +73,7 @@ _MOST_BITS = 10  # of symbols whose unused codes are listed
 
 def vector(values: Float[np.ndarray, "3"]) -> Vector:
     """Return three numbers as a tuple of floats."""
-    x, y, z = (float(value) for value in values)
+    x, y, z = map(float, values)
     return (x, y, z)
 
 
@@ -208,12 +208,11 @@ class Operator(Document, frozen=True, omit_defaults=True, cache_hash=True):
 class Versioned(Document, frozen=True):
     """A document whose field `format` says of which version it is, if it has one."""
 
-    readable: ClassVar[tuple[str, ...]] = ()
-    """The versions that can be read."""
+    readable: ClassVar[tuple[str, ...]] = ()  # the versions that can be read
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if said := self._unreadable(self):
+        if said := self._unreadable(getattr(self, "format", None)):
             raise InvalidValue(said)
 
     @classmethod
@@ -227,17 +226,15 @@ class Versioned(Document, frozen=True):
         try:
             return decode_json(path, content, cls, remedy)
         except InvalidFile:
-            if said := cls._unreadable(decode_json(path, content, _Format, remedy)):
+            if said := cls._unreadable(decode_json(path, content, _Format, remedy).format):
                 raise InvalidFile(path, said + remedy) from None
             raise
 
     @classmethod
-    def _unreadable(cls, document: msgspec.Struct) -> str:
-        found = getattr(document, "format", None)
-        if found is None or not cls.readable or found in cls.readable:
-            return ""
+    def _unreadable(cls, found: str | None) -> str:
         known = " and ".join(map(repr, cls.readable))
-        return f"it is of the format {found!r}, and this version reads {known}"
+        is_known = found is None or not cls.readable or found in cls.readable
+        return "" if is_known else f"it is of the format {found!r}, and this version reads {known}"
 
 
 class _Format(msgspec.Struct, frozen=True):
@@ -314,10 +311,7 @@ def name_categories(
 ) -> tuple[str, ...]:
     """Name categories by what sets each apart from the others: `hollow-low-10`, `solid-wide-01`, `any-11`.
 
-    Args:
-        symbols: The object symbols.
-        means: Mean features of each category; of t, the share that is hollow.
-        feature_names: What the features are; of s_x, s_y, d and t those are used that are there.
+    Of the mean features those named s_x, s_y, d and t are used; of t, the mean is the share that is hollow.
     """
     columns = {name: means[:, number] for number, name in enumerate(feature_names)}
     names = []
@@ -326,20 +320,14 @@ def name_categories(
         if "t" in columns:
             share = columns["t"][row]
             words = ["hollow" if share >= _SURE else "solid" if share <= 1 - _SURE else "any"]
-        if "d" in columns:
-            words.append(_contrast(columns["d"], row, "low", "tall"))
-        if "s_x" in columns and "s_y" in columns:
-            words.append(_contrast(columns["s_x"] + columns["s_y"], row, "narrow", "wide"))
+        for parts, less, more in ((("d",), "low", "tall"), (("s_x", "s_y"), "narrow", "wide")):
+            if all(part in columns for part in parts):
+                values = np.sum([columns[part] for part in parts], axis=0)
+                usual = np.delete(values, row).mean() if len(values) > 1 else 0.0
+                ratio = values[row] / usual if usual else 1.0
+                words.append(less if ratio < 1 - _CONTRAST else more if ratio > 1 + _CONTRAST else "")
         names.append("-".join([*filter(None, words), symbol]))
     return tuple(names)
-
-
-def _contrast(values: np.ndarray, row: int, less: str, more: str) -> str:
-    others = np.delete(values, row)
-    if not len(others) or others.mean() == 0:
-        return ""
-    ratio = values[row] / others.mean()
-    return less if ratio < 1 - _CONTRAST else more if ratio > 1 + _CONTRAST else ""
 
 
 def names_of_features(count: int, given: Sequence[str] = ()) -> tuple[str, ...]:
@@ -392,10 +380,7 @@ _RIM, _RIM_COLOUR = 0.25, (255, 255, 255)  # the rim's width, as a share of the 
 def draw_dots(frame: Frame, places: Float[np.ndarray, "N 2"], radius: float) -> Frame:
     """Draw a round dot with a white rim at each place, smooth at its edge; later dots lie on earlier ones.
 
-    Args:
-        frame: The picture, which is left as it is.
-        places: Centres of the dots, rightwards and downwards from the upper left corner [pixels].
-        radius: Of a dot without its rim [pixels].
+    Centres count rightwards and downwards from the upper left corner; the radius is without the rim [pixels].
     """
     picture = frame.copy()
     for number, (x, y) in enumerate(places.tolist()):

@@ -297,12 +297,7 @@ class RelationOperators(PairStates, frozen=True, cache_hash=True):
         raise UnknownChoice("state of a pair", name, (state.name for state in self.states))
 
     def state_meant(self, word: str) -> PairState:
-        """Return the state of that name or symbol, or the only one whose name begins so.
-
-        Raises:
-            InvalidValue: If several names begin so.
-            UnknownChoice: If none does.
-        """
+        """Return the state of that name or symbol, or the only one whose name begins so."""
         names = [state.name for state in self.states if word and state.name.startswith(word)]
         if len(names) > 1 and word not in names:
             raise InvalidValue(f"{word!r} may be any of several states; valid: {', '.join(names)}.")

@@ -171,12 +171,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
         raise UnknownChoice("object", str(name), self.object_names)
 
     def place_named(self, name: str) -> tuple[float, float]:
-        """Return where a place of the problem or a spot lies [m].
-
-        Raises:
-            InvalidValue: If no name is given.
-            UnknownChoice: If there is none of that name.
-        """
+        """Return where a place of the problem or a spot lies [m]; `UnknownChoice` if there is none."""
         if not name:
             raise InvalidValue(
                 f"What carries an object needs a place to carry it to; valid: {', '.join(self.places)}."

@@ -12,7 +12,7 @@ from documents import blocks, python_blocks
 from places import DOCS, ROOT
 
 import neurosym
-from tools import prose
+from tools import draw_docs, prose
 from tools.write_commands import page
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -49,6 +49,12 @@ def test_every_file_that_the_map_names_exists():
             known = [ROOT / "neurosym" / name, ROOT / name, ROOT / "neurosym" / folder / name]
             assert any(path.exists() for path in known), name
             folder = str(Path(name).parent) if "/" in name else folder
+
+
+@pytest.mark.parametrize("draw", draw_docs.DRAWINGS, ids=lambda draw: draw.__name__)
+def test_picture_is_what_the_shipped_domain_and_the_results_give(draw):
+    """`make pictures` draws them anew."""
+    assert (DOCS / "images" / f"{draw.__name__}.svg").read_text() == draw()
 
 
 def test_scene_written_by_hand_is_taken_and_planned_for(tmp_path, monkeypatch):

@@ -6,8 +6,8 @@ import pytest
 from places import ROOT
 
 from neurosym.choices import DOMAINS
+from neurosym.execution.performance import compare_runs, rerun
 from neurosym.execution.record import Run
-from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.files import digest, read_json
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable

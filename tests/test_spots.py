@@ -7,7 +7,7 @@ from toy_places import NAME, grounding, scene, swap
 
 from neurosym.errors import UnknownChoice
 from neurosym.execution.executor import execute
-from neurosym.execution.rerun import rerun
+from neurosym.execution.performance import rerun
 from neurosym.pddl.plan_reading import read_plan
 from neurosym.planners import PlanStatus
 from neurosym.planners.planner import Planner, PlanResult, Query

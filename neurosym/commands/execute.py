@@ -27,8 +27,8 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN, RECORD, RUNS, plan_files, run_file
 
 if TYPE_CHECKING:
+    from neurosym.execution.performance import Agreement
     from neurosym.execution.record import Run
-    from neurosym.execution.rerun import Agreement
     from neurosym.stages.execution import Showing
 
 

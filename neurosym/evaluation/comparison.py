@@ -19,7 +19,7 @@ from neurosym.checks import Float
 from neurosym.choices import AnyTask
 from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
-from neurosym.execution.rerun import Execution, summarise_run
+from neurosym.execution.performance import Execution, summarise_run
 from neurosym.files import check_writable, digest, locked, make_folder, read_json, write_json
 from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.operators import Symbol

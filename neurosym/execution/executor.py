@@ -8,14 +8,13 @@ new plans come nearer to it, and as long as all of them together have not taken 
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 
 import msgspec
 
 from neurosym.checks import check_all, check_callable, check_count, check_kind, check_seed
 from neurosym.contract import guarded, limits_of, placed
 from neurosym.errors import InvalidValue
-from neurosym.execution.performance import STOP, Moment, Nudger, Situation, Watcher, check_aims, lifts
+from neurosym.execution.performance import STOP, Moment, Situation, Watcher, check_aims, drawn_nudge
 from neurosym.execution.record import Ended, Nudge, Replanning, Run, StepRecord, own_steps, why_missed
 from neurosym.execution.replanning import (
     NEARER,
@@ -27,7 +26,7 @@ from neurosym.execution.replanning import (
     usual_work,
     why_not_go_on,
 )
-from neurosym.grounding import Grounding
+from neurosym.grounding import Grounding, is_lift
 from neurosym.planners.planner import Effort, Tell
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
@@ -81,18 +80,19 @@ def execute(
     check_count("replans", 0 if replans is None else replans, least=0)
     if replanner is not None:
         check_callable("replanner", replanner, "a function from a problem and a grounding to a plan result")
-    watchers = [watcher] if watcher else []
-    if nudge_seed is not None:
-        check_seed(nudge_seed, "nudge_seed")
-        watchers.insert(0, Nudger(nudge_seed, primitives(plan), problem, world.table))
+    check_seed(nudge_seed or 0, "nudge_seed")
     most = (usual_replans(plan) if replans is None else replans) if replanner else 0
-    drawn, places = not problem.places, understand(problem, grounding).places
+    places = understand(problem, grounding).places
     here = Situation(world, msgspec.structs.replace(problem, places=places), grounding, on_frame)
     check_aims(here.problem, grounding, plan)
-    run = _Running(here, list(plan), drawn, watchers, tell or (lambda _: None))
-    while run.goes_on and all(run.heed(one) for one in watchers):
+    run = _Running(here, plan, watcher, tell or (lambda _: None))
+    while run.ended in ("plan", "budget", "work"):
+        if nudge := drawn_nudge(nudge_seed, primitives(plan), run.moment, problem, world.table):
+            run.be_nudged(nudge)
+        if watcher and not run.heed(watcher):
+            break
         if replanner and most and (why := run.why_not_go_on()):
-            run.replan(replanner, why, most)
+            run.replan(replanner, why, most, is_drawn=not problem.places)
         if not run.left:
             break
         run.step()
@@ -117,7 +117,6 @@ def _check_run(world: World, problem: Problem, grounding: Grounding, plan: Seque
             limits.check(item.name, item.features)
 
 
-@dataclass(slots=True)
 class _Running:
     """A run while it goes on: where everything is, what is left to do, and what was done.
 
@@ -125,55 +124,44 @@ class _Running:
     distances from the goals [m], and `stalled` how many new plans in a row changed neither.
     """
 
-    here: Situation
-    left: list[PlanStep]
-    places_drawn: bool
-    watchers: Sequence[Watcher]
-    tell: Tell
-    experience: Experience = field(init=False)
-    aimed: Problem = field(init=False)
-    effort: Effort = field(init=False)
-    fewest: int = field(init=False)
-    nearest: float = field(init=False)
-    stalled: int = 0
-    records: list[StepRecord] = field(default_factory=list)
-    replannings: list[Replanning] = field(default_factory=list)
-    nudges: list[Nudge] = field(default_factory=list)
-    ended: Ended = "plan"
-    _lifted: tuple[PlanStep, Scene] | None = None
-
-    def __post_init__(self) -> None:
-        self.aimed, self.experience = self.here.problem, Experience(self.here.grounding)
-        self.effort = Effort(usual_work(self.here.problem))
-        self.fewest, self.nearest = primitives(self.left), self._miss()
+    def __init__(self, here: Situation, plan: Sequence[PlanStep], watcher: Watcher | None, tell: Tell):
+        self.here, self.left, self.watcher, self.tell = here, list(plan), watcher, tell
+        self.aimed, self.experience = here.problem, Experience(here.grounding)
+        self.effort = Effort(usual_work(here.problem))
+        self.fewest, self.nearest, self.stalled = primitives(plan), self._miss(), 0
+        self.records, self.replannings, self.nudges = list[StepRecord](), list[Replanning](), list[Nudge]()
+        self.ended: Ended = "plan"
+        self._lifted: tuple[PlanStep, Scene] | None = None
 
     @property
-    def goes_on(self) -> bool:
-        """Whether nothing has ended the run yet."""
-        return self.ended in ("plan", "budget", "work")
+    def moment(self) -> Moment:
+        """The run before its next step."""
+        return Moment(len(self.records) + 1, self.here.scene, tuple(self.left))
 
     def heed(self, watcher: Watcher) -> bool:
         """Do what a watcher wants before the next step, and say whether the run goes on."""
-        number = len(self.records) + 1
-        while answer := watcher.before_step(Moment(number, self.here.scene, tuple(self.left))):
+        while answer := watcher.before_step(self.moment):
             if answer == STOP:
                 self.ended = "stopped"
                 return False
             self.here.problem.object_named(answer.object)
-            if not isinstance(watcher, Nudger):  # a drawn nudge comes while the hand holds what it lifted
-                self._put_down()
-            self.nudges.append(msgspec.structs.replace(answer, before_step=number))
-            self.here.be_nudged(self.nudges[-1])
+            self._put_down()
+            self.be_nudged(msgspec.structs.replace(answer, before_step=self.moment.number))
         return True
+
+    def be_nudged(self, nudge: Nudge) -> None:
+        """Note that an object was moved; a drawn nudge comes while the hand holds what it lifted."""
+        self.nudges.append(nudge)
+        self.here.be_nudged(nudge)
 
     def why_not_go_on(self) -> str:
         """Say why what is left of the plan would miss its goals by what is believed now, or nothing."""
         aimed = self.aimed if self.left else self.here.problem
         return why_not_go_on(self.left, self.here.now(aimed), self.experience)
 
-    def replan(self, replanner: Replanner, why: str, most: int) -> None:
-        """Ask for a new plan, or else go on with the old one while nothing leaves the table."""
-        number, asked = len(self.records) + 1, len(self.replannings) + 1
+    def replan(self, replanner: Replanner, why: str, most: int, *, is_drawn: bool) -> None:
+        """Ask for a new plan, with places drawn anew or not; if there is none, go on with a possible one."""
+        number, asked = self.moment.number, len(self.replannings) + 1
         self.tell(f"planning anew before step {number}, new plan {asked}: {why}")
         if asked > most or self.effort.is_used_up:
             self.ended = "budget" if asked > most else "work"
@@ -183,15 +171,15 @@ class _Running:
             return
         self._put_down()
         seen = self.here.now()
-        if self.places_drawn:
+        if is_drawn:
             believed, known = self.experience.believed(msgspec.structs.replace(seen, places={}))
             seen = msgspec.structs.replace(seen, places=understand(believed, known).places)
         new = new_plan(replanner, seen, self.experience, self.effort)
         self.experience = new.experience
         steps = named_steps(new.steps)
         self.replannings.append(Replanning(number, why, steps, new.reason))
-        for watcher in self.watchers:
-            watcher.replanned(self.replannings[-1])
+        if self.watcher:
+            self.watcher.replanned(self.replannings[-1])
         is_found = bool(new.steps) and not new.reason
         fewest, miss = primitives(new.steps) if is_found else self.fewest, self._miss()
         is_nearer = fewest < self.fewest or miss < self.nearest - NEARER
@@ -204,9 +192,11 @@ class _Running:
 
     def step(self) -> None:
         """Perform the next step of the plan, and put down what it lifts unless that ends the plan."""
-        step, before, number = self.left.pop(0), self.here.scene, len(self.records) + 1
+        number, grounding = self.moment.number, self.here.grounding
+        step, before = self.left.pop(0), self.here.scene
         self.tell(f"step {number}: {step.operator} {step.object}")
-        put_down = bool(self.left) or not lifts(step, self.here.grounding)
+        is_put = grounding.relation_named(step.operator) is not None
+        put_down = bool(self.left) or is_put or not is_lift(grounding.operator_named(step.operator))
         if self.left and self.left[0].puts_down:
             self.left.pop(0)
         with placed(f"step {number}"):

@@ -1,7 +1,7 @@
-"""Performing the steps of a plan in a world, and recording them."""
+"""Performing the steps of a plan in a world, recording them, and performing a record again."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, Protocol
 
@@ -9,13 +9,13 @@ import msgspec
 import numpy as np
 
 from neurosym.errors import InvalidValue, InvalidWorld, UnknownChoice
-from neurosym.execution.record import Nudge, Replanning, StepRecord, record_step, seen_now
-from neurosym.grounding import Grounding, is_lift
+from neurosym.execution.record import Nudge, Replanning, Run, StepRecord, own_steps, record_step, seen_now
+from neurosym.grounding import Grounding
 from neurosym.operators import vector
 from neurosym.pair_operators import extent
 from neurosym.problems import Problem, RelationGoal
 from neurosym.tasks.supports import Contacts, touching
-from neurosym.tasks.task import unmet_relations
+from neurosym.tasks.task import GOAL, PARK, unmet_relations, with_places
 from neurosym.tasks.transition import PlanStep
 from neurosym.world import FrameSink, Outcome, Place, Reference, Scene, Table, World, relative_to
 
@@ -59,36 +59,27 @@ _STREAM = 0x6E756467  # keeps the randomness of nudges apart from that of everyt
 _TRIES = 100
 
 
-@dataclass(slots=True)
-class Nudger:
-    """Watches a run, and nudges an object once: when, which and where to follows from a seed."""
+def drawn_nudge(seed: int | None, steps: int, moment: Moment, problem: Problem, table: Table) -> Nudge | None:
+    """Draw what is nudged when and where to, on the table and touching nothing; None if not now, or no room.
 
-    seed: int  # same seed, same step, object and direction
-    steps: int  # how many interactions the plan has; 0 if there are none, and nothing is nudged then
-    problem: Problem  # what the objects are called
-    table: Table  # where they may stand
-    _is_done: bool = False
-
-    def before_step(self, moment: Moment) -> Nudge | None:
-        """Draw what is nudged where to, on the table and touching nothing, if there is room."""
-        rng = np.random.default_rng([_STREAM, self.seed])
-        if self._is_done or not self.steps or moment.number != int(rng.integers(self.steps)) + 1:
-            return None
-        self._is_done, scene = True, moment.scene
-        radii = np.hypot(scene.features[:, 0], scene.features[:, 1]) / 2  # around footprints however turned
-        for _ in range(_TRIES):
-            index = int(rng.integers(len(scene)))
-            angle, length = rng.uniform(0, 2 * math.pi), rng.uniform(LEAST, MOST)
-            by = np.array([length * math.cos(angle), length * math.sin(angle), 0.0])
-            spot = scene.positions[index] + by
-            near = np.linalg.norm((scene.positions - spot)[:, :2], axis=1) < radii + radii[index]
-            near[index] = False
-            if self.table.contains(spot) and not near.any():
-                return Nudge(moment.number, self.problem.object_names[index], vector(by))
+    The same seed gives the same step, of so many interactions that the plan has, the same object and way.
+    """
+    if seed is None or not steps:
         return None
-
-    def replanned(self, replanning: Replanning) -> None:
-        """Hear of a new plan."""
+    rng, scene = np.random.default_rng([_STREAM, seed]), moment.scene
+    if moment.number != int(rng.integers(steps)) + 1:
+        return None
+    radii = np.hypot(scene.features[:, 0], scene.features[:, 1]) / 2  # around footprints however turned
+    for _ in range(_TRIES):
+        index = int(rng.integers(len(scene)))
+        angle, length = rng.uniform(0, 2 * math.pi), rng.uniform(LEAST, MOST)
+        by = np.array([length * math.cos(angle), length * math.sin(angle), 0.0])
+        spot = scene.positions[index] + by
+        near = np.linalg.norm((scene.positions - spot)[:, :2], axis=1) < radii + radii[index]
+        near[index] = False
+        if table.contains(spot) and not near.any():
+            return Nudge(moment.number, problem.object_names[index], vector(by))
+    return None
 
 
 def nudged(scene: Scene, nudge: Nudge, problem: Problem) -> Scene:
@@ -109,20 +100,10 @@ def perform(
     *,
     reference: Reference | None = None,
 ) -> Outcome | None:
-    """Perform one step of a plan.
+    """Perform one step of a plan, and return what happened; None if the object was out of the arm's reach.
 
-    Args:
-        world: The world to act in.
-        problem: What the objects are called, and where pictures show their goals.
-        grounding: What the operator's name means.
-        step: The step.
-        scene: Where everything is.
-        put_down: Whether to put the object down if it is held.
-        on_frame: Called with pictures of the motion as it happens, if given.
-        reference: What the step is aimed at besides its object, if anything.
-
-    Returns:
-        What happened; None if the object was out of the arm's reach.
+    The problem says what objects are called, and where pictures show their goals. A step may be aimed at a
+    reference besides its object.
     """
     operator = grounding.relation_named(step.operator) or grounding.operator_named(step.operator)
     action = np.array(grounding.primitive_of(operator).action)
@@ -165,11 +146,9 @@ class Situation:
     def judge(self) -> dict[str, Any]:
         """Say how near the goals are, as the record of a run does."""
         unmet, positions = self.unmet(), self.scene.positions
-        return {
-            "reached": self.problem.is_met(positions) and not unmet,
-            "distances": self.problem.distances(positions),
-            "unmet": unmet if self.problem.related else msgspec.UNSET,
-        }
+        reached = self.problem.is_met(positions) and not unmet
+        told = unmet if self.problem.related else msgspec.UNSET
+        return {"reached": reached, "distances": self.problem.distances(positions), "unmet": told}
 
     def be_nudged(self, nudge: Nudge) -> None:
         """Take note that somebody moved an object."""
@@ -181,15 +160,14 @@ class Situation:
         """Perform a step from here, and return its record, and what happened if its object was in reach."""
         given = self.problem, self.grounding, step, self.scene, put_down
         outcome = perform(self.world, *given, self.on_frame if is_shown else None, reference=reference)
-        if outcome is None:
-            return record_step(step, self.problem, self.grounding, None, scene=self.scene), None
-        self.scene, self.contacts = outcome.end, outcome.contacts
-        if self.grounding.relations and outcome.carried and isinstance(outcome.reference, Place):
-            # What carries promises nothing of heights: what was borne counts as if it had stood on the table.
-            start, positions = outcome.start, outcome.start.positions.copy()
-            positions[outcome.target, 2] = extent(start, outcome.target)[2] / 2
-            outcome = replace(outcome, start=Scene(start.features, positions, start.orientations))
-        told = record_step(step, self.problem, self.grounding, outcome, scene=outcome.end, put_down=put_down)
+        if outcome:
+            self.scene, self.contacts = outcome.end, outcome.contacts
+            if self.grounding.relations and outcome.carried and isinstance(outcome.reference, Place):
+                # What carries promises nothing of heights: what was borne counts as if it stood on the table.
+                start, positions = outcome.start, outcome.start.positions.copy()
+                positions[outcome.target, 2] = extent(start, outcome.target)[2] / 2
+                outcome = replace(outcome, start=Scene(start.features, positions, start.orientations))
+        told = record_step(step, self.problem, self.grounding, outcome, scene=self.scene, put_down=put_down)
         return told, outcome
 
 
@@ -206,6 +184,150 @@ def check_aims(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep])
             raise InvalidValue(f"{step.operator} carries nothing, so it cannot lead to {step.place}.")
 
 
-def lifts(step: PlanStep, grounding: Grounding) -> bool:
-    """Say whether a step promises to end with its object held."""
-    return not grounding.relation_named(step.operator) and is_lift(grounding.operator_named(step.operator))
+# Running a record again: the same world, step by step, must give the same record.
+#
+# On the machine that it was made on, that is byte for byte. Another processor rounds otherwise in the last
+# digits, a few nanometres; who compares runs must tell that from a run that took another course.
+ROUNDING = 1e-6
+"""Lengths of two runs that are no farther apart than this are taken for the same, rounded otherwise [m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Agreement:
+    """How well a run agrees with its record."""
+
+    # whether it is the same byte for byte, the same within `ROUNDING`, or took another course
+    course: Literal["same bytes", "within rounding", "another"]
+    apart: float  # the greatest difference of two lengths [m]; of another course, where that begins
+    where: str  # where another course begins, or else where bytes differ first; empty if none do
+
+
+_SAME = Agreement("same bytes", 0.0, "")
+
+
+def rerun(
+    world: World,
+    problem: Problem,
+    grounding: Grounding,
+    run: Run,
+    *,
+    on_frame: FrameSink | None = None,
+    on_step: Callable[[StepRecord], None] | None = None,
+    watcher: Watcher | None = None,
+) -> Run:
+    """Perform the steps of a record again, with the same nudge, up to the first that takes another course.
+
+    Pictures of motions, and each step's record, go to who wants them. A watcher may stop it before a step.
+    `UnknownChoice` or `InvalidValue` if the record names what there is not, or leads off the table.
+    """
+    plan = [one.step for one in run.steps]
+    known = [step for step in plan if not step.place.startswith((GOAL, PARK))]  # those of new plans are not
+    check_aims(with_places(problem, grounding), grounding, known)
+    here, records = Situation(world, problem, grounding, on_frame), list[StepRecord]()
+    for number, recorded in enumerate((*run.steps, None), start=1):
+        for nudge in run.nudges:
+            if nudge.before_step == number:
+                here.be_nudged(nudge)
+        if recorded is None:
+            break
+        if watcher and watcher.before_step(Moment(number, here.scene, (recorded.step,))) == STOP:
+            break
+        records.append(here.perform(recorded.step, recorded.put_down, recorded.reference)[0])
+        if on_step:
+            on_step(records[-1])
+        if any(not apart <= ROUNDING for _, apart in _differences(recorded, records[-1])):
+            break
+    own = run.own if len(records) == len(run.steps) else own_steps(records, run.replannings)
+    return msgspec.structs.replace(run, steps=tuple(records), own=own, **here.judge())
+
+
+def compare_runs(recorded: Run, again: Run) -> Agreement:
+    """Compare a record with what `rerun` made of it, as far as it went."""
+    found = [
+        (f"{name} of step {number}, {one.operator} {one.object}", apart)
+        for number, (one, other) in enumerate(zip(recorded.steps, again.steps, strict=False), start=1)
+        for name, apart in _differences(one, other)
+    ]
+    found += _differences(recorded, again)
+    for where, apart in found:
+        if not apart <= ROUNDING:
+            return Agreement("another", apart, where)
+    return Agreement("within rounding", max(apart for _, apart in found), found[0][0]) if found else _SAME
+
+
+def _differences(one: msgspec.Struct, other: msgspec.Struct) -> Iterator[tuple[str, float]]:
+    """Yield the fields whose bytes differ, each with how far lengths are apart in it [m]."""
+    for name in one.__struct_fields__:
+        values = getattr(one, name), getattr(other, name)
+        pair = msgspec.to_builtins(tuple(None if value is msgspec.UNSET else value for value in values))
+        if msgspec.json.encode(pair[0]) != msgspec.json.encode(pair[1]):
+            yield name, _apart(*pair)
+
+
+def _apart(one: Any, other: Any) -> float:
+    """Return the greatest difference of two lengths [m]; infinite if anything else differs."""
+    if isinstance(one, float) and isinstance(other, float):
+        return abs(one - other)
+    if isinstance(one, dict) and isinstance(other, dict) and list(one) == list(other):
+        one, other = list(one.values()), list(other.values())
+    if isinstance(one, list | tuple) and isinstance(other, list | tuple) and len(one) == len(other):
+        return max(map(_apart, one, other), default=0.0)
+    return 0.0 if one == other and type(one) is type(other) else math.inf
+
+
+# A run in short: what is counted when many runs are compared
+
+
+class Execution(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What became of a plan in the world, in short."""
+
+    reached: bool  # whether every goal was met at the end
+    reason: str  # why not, or empty
+    kind: str  # the same in a few words, to be counted
+    distances: dict[str, float]  # how far each object with a goal ended from it [m]
+    interactions: int  # how many primitives were performed
+    kept: int  # in how many of them the object ended as promised
+    replans: int  # how often it was planned again
+    touched: int  # in how many the robot touched another object
+    disturbed: int  # how many other objects were moved, toppled or lost in them
+    off_table: tuple[str, ...]  # names of the objects that were off the table after any of them
+    # how many of the primitives performed are the plan's own; None in records of earlier versions
+    own: int | None = None
+
+
+def summarise_run(run: Run, grounding: Grounding) -> Execution:
+    """Keep of a run what is counted; the learned domain knows the table."""
+    places = ((name, place) for record in run.steps for name, place in record.positions.items())
+    off = {name for name, place in places if not grounding.table.contains(np.array(place))}
+    return Execution(
+        reached=run.reached,
+        reason=run.reason,
+        kind="" if run.reached else failure(run),
+        distances={name: round(distance, 6) for name, distance in run.distances.items()},
+        interactions=sum(record.happened != "not performed" for record in run.steps),
+        kept=sum(record.as_promised for record in run.steps),
+        replans=run.replans,
+        touched=sum(bool(record.touched) for record in run.steps),
+        disturbed=sum(len(record.disturbed) for record in run.steps),
+        off_table=tuple(sorted(off)),
+        own=run.own_steps,
+    )
+
+
+def failure(run: Run) -> str:
+    """Say in a few words why a run missed its goal: what ended it, or the worst thing that happened in it."""
+    bystanders = {how for record in run.steps for how in record.disturbed.values()}
+    ends = {record.happened for record in run.steps} | bystanders
+    grasps = [record.happened for record in run.steps if record.promised == "held"]
+    causes = (
+        ("lost" in ends, "an object fell off the table"),
+        ("not performed" in ends, "out of the arm's reach"),
+        ("toppled" in ends, "an object toppled"),
+        (run.ended == "no progress", "new plans came no nearer"),
+        (run.ended in ("budget", "work"), "new plans were used up"),
+        (run.replannings and run.replannings[-1].reason, "no plan from where things ended"),
+        (bystanders, "another object was moved"),
+        (any(how != "held" for how in grasps), "a grasp failed"),
+        (not all(record.as_promised for record in run.steps), "an object went elsewhere"),
+    )
+    return next((said for is_so, said in causes if is_so), "small errors added up")

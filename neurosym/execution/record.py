@@ -33,9 +33,7 @@ STRAIGHT = math.radians(15)
 def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:
     """Return an object with the sizes that it has along the axes, and the category of objects like that.
 
-    Args:
-        item: The object as it lies; its first three features are its sizes along x, y and z [m].
-        grounding: The learned domain; where it keeps no rehearsals, the category stays.
+    Its first three features are these sizes [m]. Where no rehearsals are kept, the category stays.
     """
     along = np.abs(rotation(np.array(item.orientation)))
     straight = along > math.cos(STRAIGHT)
@@ -56,7 +54,7 @@ def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:
 
 PACKAGES = ("numpy", "pybullet")
 """The packages whose arithmetic decides how a run goes."""
-_CPUINFO = Path("/proc/cpuinfo")
+_CPUINFO, _NUMBERS = Path("/proc/cpuinfo"), ("cpu family", "model", "stepping")
 _UNKNOWN = "unknown"
 
 
@@ -71,13 +69,10 @@ class Machine(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
     def differences(self, other: "Machine") -> tuple[str, ...]:
         """Say in what another machine differs, as "processor: this one's and the other's"."""
-        pairs = {
-            name: (getattr(self, name), getattr(other, name))
-            for name in ("processor", "instructions", "architecture", "system")
-        }
-        for name in sorted({*self.versions, *other.versions}):
-            pairs[name] = (self.versions.get(name, _UNKNOWN), other.versions.get(name, _UNKNOWN))
-        return tuple(f"{name}: {one} and {two}" for name, (one, two) in pairs.items() if one != two)
+        here, there = ({**msgspec.structs.asdict(one), **one.versions} for one in (self, other))
+        names = [*self.__struct_fields__[:-1], *sorted({*self.versions, *other.versions})]
+        pairs = [(name, here.get(name, _UNKNOWN), there.get(name, _UNKNOWN)) for name in names]
+        return tuple(f"{name}: {one} and {two}" for name, one, two in pairs if one != two)
 
 
 @functools.cache
@@ -101,10 +96,9 @@ def _processor() -> str:
     except OSError:
         lines = []
     values = {name.strip(): value.strip() for name, _, value in (line.partition(":") for line in lines)}
-    numbers = {"family": "cpu family", "model": "model", "stepping": "stepping"}
-    known = ", ".join(f"{word} {values[name]}" for word, name in numbers.items() if values.get(name))
+    known = [f"{name.split()[-1]} {values[name]}" for name in _NUMBERS if values.get(name)]
     name = values.get("model name") or platform.processor() or _UNKNOWN
-    return f"{name} ({known})" if known else name
+    return f"{name} ({', '.join(known)})" if known else name
 
 
 StepOutcome = OutcomeKind | Literal["not performed"]
@@ -220,12 +214,11 @@ class Run(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         """How many of the steps performed are the plan's own, in words."""
         if not self.steps:
             return "no step was performed" if self.plan else "the plan has no step"
-        performed = counted(len(self.steps), "step")
-        if self.own_steps == len(self.steps):
-            whole = "" if self.is_followed else ", which has more"
-            return f"{performed} performed, all of the plan{whole}"
-        by = f" of {self.replanner}" if isinstance(self.replanner, str) else ""
-        return f"{performed} performed, {self.own_steps} of the plan and the rest of new plans{by}"
+        said = "all of the plan" + ", which has more" * (not self.is_followed)
+        if self.own_steps < len(self.steps):
+            by = f" of {self.replanner}" if isinstance(self.replanner, str) else ""
+            said = f"{self.own_steps} of the plan and the rest of new plans{by}"
+        return f"{counted(len(self.steps), 'step')} performed, {said}"
 
     @property
     def nudges(self) -> tuple[Nudge, ...]:
@@ -273,15 +266,9 @@ def record_step(
     scene: Scene,
     put_down: bool = True,
 ) -> StepRecord:
-    """Record a step, whether it puts its object on another one or not.
+    """Record a step, after which everything is as in the scene.
 
-    Args:
-        step: The step.
-        problem: The problem, whose objects are those of the outcome.
-        grounding: What the operator promises.
-        outcome: What happened; None if the object was out of the arm's reach.
-        scene: Where everything is after it.
-        put_down: Whether the object was to be put down if it was held.
+    There is no outcome if the object was out of the arm's reach. It may have been to be put down if held.
     """
     names, told = problem.object_names, dict[str, Any]()
     if outcome:
@@ -349,11 +336,7 @@ def _put(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcom
 def why_missed(run: Run, problem: Problem, grounding: Grounding, work: int = 0) -> str:
     """Say which goals of a run were missed, and what ended it; nothing if all were reached.
 
-    Args:
-        run: The run, without a reason.
-        problem: What it was to solve.
-        grounding: The learned domain.
-        work: How much might be looked at for all new plans [states].
+    So much might be looked at for all new plans [states].
     """
     if run.reached:
         return ""

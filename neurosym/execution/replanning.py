@@ -60,18 +60,10 @@ class Experience:
     _kept: dict[_Key, list[bool]] = field(default_factory=dict)
     _patience: int = GIVEN_UP
 
-    @property
-    def says_something(self) -> bool:
-        """Whether anything was seen."""
-        return bool(self._seen or self._kept)
-
     def hoping_again(self, problem: Problem) -> "Experience":
-        """Forget what was seen, but for what failed and would mostly do so again.
+        """Forget what was seen, but for what failed and would mostly do so again as objects lie now.
 
         What is forgotten still counts where it is to be given up. Pairs are given some more failures.
-
-        Args:
-            problem: The problem as it stands now.
         """
         every = {key: self._all(key) for key in {**self._forgotten, **self._seen}}
         kept = dict[_Key, list[Outcome]]()
@@ -96,15 +88,10 @@ class Experience:
             self._seen.setdefault((step.object, label), []).append(outcome)
 
     def believed(self, problem: Problem) -> tuple[Problem, Grounding]:
-        """Take objects as they show, and give those that were acted upon a category of their own.
+        """Take objects as they show now, and give those that were acted upon a category of their own.
 
-        Nothing is foreseen of pairs with which an operator is given up.
-
-        Args:
-            problem: The problem as it stands now.
-
-        Returns:
-            The problem with these categories, and the grounding that has them.
+        Nothing is foreseen of pairs with which an operator is given up. Returned are the problem with these
+        categories, and the grounding that has them.
         """
         known = {name for name, _ in self._seen}
         objects, categories, operators = [], list[Category](), list[tuple[Operator, bool]]()
@@ -310,11 +297,7 @@ def why_not_go_on(left: Sequence[PlanStep], seen: Problem, experience: Experienc
 
 
 def _can_wait(left: Sequence[PlanStep], checked: Replay, problem: Problem) -> bool:
-    """Say whether a plan that would miss its goals by little is to be gone on with for now.
-
-    Long plans mostly miss somewhat, each step another way; it is early enough to plan anew near the end of
-    what is done with an object. Every step of what is left is possible.
-    """
+    """Say whether a plan that misses its goals by little, as most long ones do, is gone on with for now."""
     if not left:
         return False
     ahead = Counter(step.object for step in left if not step.puts_down)
@@ -341,16 +324,12 @@ def new_plan(
 
     If there is no plan for all goals, one is asked for that brings some objects to theirs: what is in the way
     of the others may have gone by then. What failed on an object again and again is not hoped for. Once the
-    work for all new plans is spent, no more are asked for.
-
-    Args:
-        replanner: Whom to ask.
-        seen: The problem as it stands now.
-        experience: What the objects were seen to do.
-        effort: What may be spent on all new plans of the run [states], if not everything.
+    effort for all new plans is spent, no more are asked for.
     """
     reason, effort = "", effort or Effort()
-    for believing in (experience, experience.hoping_again(seen))[: 1 + experience.says_something]:
+    for believing in (experience, experience.hoping_again(seen))[
+        : 1 + bool(experience._seen or experience._kept)
+    ]:
         for task in (seen, *_for_fewer(seen, believing)):
             if effort.is_used_up:
                 break

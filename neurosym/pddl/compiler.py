@@ -101,9 +101,6 @@ def with_every_outcome(table: OperatorTable) -> OperatorTable:
     may want either. So each outcome that is seen often enough becomes an operator of its own, at a cost that
     says how rare it is: the all-outcomes determinisation of FF-Replan (Yoon, Fern and Givan, 2007). Execution
     sees what really happens, and replans if it was another.
-
-    Args:
-        table: A table whose operators promise what is most frequent.
     """
     names = {category.symbol: category.name for category in table.categories}
     operators = [
@@ -141,16 +138,7 @@ def check_axes(table: OperatorTable) -> None:
 
 
 def domain_text(grounding: Grounding, encoding: EncodingName = STRIPS, *, costs: bool = True) -> str:
-    """Print the domain; equal groundings give equal bytes.
-
-    Args:
-        grounding: The learned domain.
-        encoding: `strips` for the page, or `numeric` for planners that take numbers.
-        costs: Whether what steps cost is printed; some planners take no costs.
-
-    Raises:
-        UnknownChoice: If there is no such encoding.
-    """
+    """Print the domain, as a page or in numbers, with costs or without; equal groundings give equal bytes."""
     return (numeric_domain if _is_numeric(encoding) else page)(grounding).text(costs=costs)
 
 
@@ -165,14 +153,7 @@ def ground_plan(
 ) -> GroundPlan:
     """Turn a plan into ground actions of the domain, cells and all, such that plan validators take it.
 
-    Args:
-        steps: The plan; every operator in it must be in the domain.
-        problem: The problem it solves.
-        grounding: The learned domain.
-        encoding: `numeric`, or else the page.
-
-    Raises:
-        InvalidValue: If an operator is not in the domain, or not for its object, or leads off the grid.
+    `InvalidValue` if an operator is not in the domain, or not for its object, or leads off the grid.
     """
     steps, task = tuple(steps), understand(problem, grounding)
     if encoding == NUMERIC:
@@ -190,22 +171,11 @@ def problem_text(
     plans: Sequence[GroundPlan] = (),
     costs: bool = True,
 ) -> str:
-    """Print a problem.
+    """Print a problem for the domain in an encoding, with costs or without, or refuse one that it cannot say.
 
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-        encoding: The encoding of the domain it is for.
-        steps: How many steps the rounding of is taken off the goal regions; in numbers ten times as many.
-        plans: Plans that the replay takes, and that stand beside the problem: it is printed such that they
-            are its plans. In numbers they need nothing, since regions leave out no more than is rounded.
-        costs: Whether what steps cost is printed; some planners take no costs.
-
-    Raises:
-        InvalidValue: If an object stands off the table, its name means something else in the domain, or the
-            domain knows nothing of relations and the problem asks for some.
-        UnknownChoice: If an object is of a category that the domain does not have, or there is no such
-            encoding.
+    The rounding of so many steps is taken off the goal regions; in numbers of ten times as many. Plans that
+    the replay takes may stand beside the problem: it is printed such that they are its plans. In numbers they
+    need nothing, since regions leave out no more than is rounded.
     """
     is_numeric = _is_numeric(encoding)
     for item in problem.objects:
@@ -271,17 +241,6 @@ def excerpt_for(domain: str, problem: str, actions: Sequence[Action]) -> tuple[s
     Other people's validators read PDDL slowly: a grid with its thousands of facts takes them many seconds.
     But whether a plan is valid depends on its own actions alone, and on facts whose words occur in these, in
     the domain or in the goal. Where conditions speak of all objects, every fact is kept.
-
-    Args:
-        domain: The text of the domain.
-        problem: The text of the problem.
-        actions: The plan.
-
-    Returns:
-        What is left of the two.
-
-    Raises:
-        InvalidValue: If a text is no PDDL.
     """
     start, *blocks = _bare(domain).strip().removesuffix(")").split("(:action")
     used = {action[0] for action in actions}
@@ -303,14 +262,7 @@ def excerpt_for(domain: str, problem: str, actions: Sequence[Action]) -> tuple[s
 
 
 def parameters_of(domain: str) -> Mapping[str, int]:
-    """Return how many parameters each action of a domain has, by name.
-
-    Args:
-        domain: The text of the domain.
-
-    Raises:
-        InvalidValue: If it is no PDDL.
-    """
+    """Return how many parameters each action has in the text of a domain, or refuse what is no PDDL."""
     return {name: parameters.count("?") for name, parameters in _ACTION.findall(_bare(domain))}
 
 

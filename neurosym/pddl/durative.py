@@ -12,7 +12,7 @@ again. The way over the table counts as its diagonal, so that no carry takes muc
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from neurosym.contract import (
     CLEARANCE,
@@ -22,15 +22,14 @@ from neurosym.contract import (
     TRANSIT_CLEARANCE,
     way_seconds,
 )
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl.compiler import check_object
 from neurosym.pddl.strips import NOWHERE, common_head
-from neurosym.pddl.strips_plan import Misread
 from neurosym.pddl.syntax import DURATIVE, Atom, domain_name
 from neurosym.problems import Problem
-from neurosym.tasks.task import GOAL, START, Task, check_place, is_at, understand
+from neurosym.tasks.task import GOAL, START, Task, is_at, understand
 from neurosym.tasks.transition import PlanStep
 
 CARRY = "carry"
@@ -68,53 +67,31 @@ _DOMAIN = """\
 """
 
 
-def durative_domain_text(grounding: Grounding, seconds: Mapping[str, float] | None = None) -> str:
-    """Print the domain with a durative action; it takes as long as the slowest of what carries.
-
-    Args:
-        grounding: The learned domain.
-        seconds: How long operators take, by name [s]; what is not given follows from the waypoints.
-
-    Raises:
-        InvalidValue: If nothing carries objects to places, or it cannot be known how long that takes.
-        UnknownChoice: If there are seconds for what carries nothing.
-    """
-    given, carriers = seconds or {}, _carriers(grounding)
-    if unknown := sorted(given.keys() - carriers.keys()):
-        raise UnknownChoice("operator", unknown[0], carriers)
-    lasting = {
-        name: given[name] if name in given else carry_seconds(one, grounding)
-        for name, one in carriers.items()
-    }
-    for name, value in lasting.items():
-        if not LEAST_SECONDS <= value < math.inf:
-            raise InvalidValue(f"{name} takes {value:g} s; valid: at least {LEAST_SECONDS} s.")
+def durative_domain_text(grounding: Grounding, seconds: float | None = None) -> str:
+    """Print the domain; a carry takes so long [s], or by default as long as the slowest, by the waypoints."""
+    _check_carries(grounding)
+    if seconds is None:
+        seconds = max(carry_seconds(one, grounding) for one in grounding.carriers)
+    if not LEAST_SECONDS <= seconds < math.inf:
+        raise InvalidValue(f"A carry takes {seconds:g} s; valid: at least {LEAST_SECONDS} s.")
     return _DOMAIN.format(
         head="\n".join(f"; {line}" for line in common_head(grounding)[:3]),
         name=domain_name(grounding, DURATIVE),
         categories=" ".join(sorted(category.name for category in grounding.operators.categories)),
-        seconds=max(lasting.values()),
+        seconds=seconds,
     )
 
 
-def _carriers(grounding: Grounding) -> dict[str, Operator]:
-    """Return what carries objects to places, or refuse a domain in which nothing does."""
-    if carriers := {one.name: one for one in grounding.carriers}:
-        return carriers
-    raise InvalidValue(f"Nothing in the domain {grounding.name} carries objects to places.")
+def _check_carries(grounding: Grounding) -> None:
+    if not grounding.carriers:
+        raise InvalidValue(f"Nothing in the domain {grounding.name} carries objects to places.")
 
 
 def carry_seconds(operator: Operator, grounding: Grounding) -> float:
     """Estimate how long an operator takes to carry an object of its category, rounded up to 0.1 s [s].
 
     Objects count as tall as the mean of the tallest category, since they pass over one another.
-
-    Args:
-        operator: The operator.
-        grounding: The learned domain.
-
-    Raises:
-        InvalidValue: If its actions are not three waypoints, or objects have no height.
+    `InvalidValue` if its action is not three waypoints, or objects have no height.
     """
     action = grounding.primitive_of(operator).action
     means = (category.feature_means for category in grounding.operators.categories)
@@ -141,35 +118,26 @@ def carry_seconds(operator: Operator, grounding: Grounding) -> float:
 
 
 def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
-    """Print a problem for the domain with a durative action.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-
-    Raises:
-        InvalidValue: If an object with a goal cannot be carried to it, a goal is a relation, an object begins
-            on another one, or an object's name is taken.
-    """
-    task, why = understand(problem, grounding), ""
+    """Print a problem for that domain, or refuse one that needs more than carrying objects to places."""
+    task = understand(problem, grounding)
     if task.relates:
-        why = f"{problem.name} has goals by relation, or begins with one object on another"
-    elif _carriers(grounding) and task.led:
-        why = f"{', '.join(task.led)} cannot be carried to where it shall be"
-    if why:
-        form = "it has" if task.relates else f"{problem.name} has"
-        raise InvalidValue(f"{why}, so {form} no durative form.")
+        why = f"{problem.name} has goals by relation, or begins with one object on another, so it has"
+        raise InvalidValue(f"{why} no durative form.")
+    _check_carries(grounding)
+    if task.led:
+        why = f"{', '.join(task.led)} cannot be carried to where it shall be, so {problem.name} has"
+        raise InvalidValue(f"{why} no durative form.")
     for item in problem.objects:
         check_object(item, grounding)
-    starts = [f"{START}{name}" for name in task.names]
+    starts = {name: f"{START}{name}" for name in task.names}
     facts = [
-        f"(stands {name} {START}{name})" + f" (can-carry {name})" * (name in task.carried)
-        for name in task.names
+        f"(stands {name} {place})" + f" (can-carry {name})" * (name in task.carried)
+        for name, place in starts.items()
     ]
     for place, spot in task.places.items():
         free = [f"(free {place})"]
         for name in task.occupants[place]:
-            over = [f"{START}{other}" for other in task.blockers(name, spot)]
+            over = [starts[other] for other in task.blockers(name, spot)]
             if len(over) <= MOST_OVER:
                 over += [NOWHERE] * (MOST_OVER - len(over))
                 free.append(f"(room {name} {place} {' '.join(over)})")
@@ -180,7 +148,7 @@ def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
         f"; How it came about: {' '.join(problem.provenance.split())}.",
         f"(define (problem {problem.name})\n  (:domain {domain_name(grounding, DURATIVE)})\n  (:objects",
         *(f"    {item.name} - {grounding.category(item.category).name}" for item in problem.objects),
-        f"    {' '.join([*starts, *task.places, NOWHERE])} - place)",
+        f"    {' '.join([*starts.values(), *task.places, NOWHERE])} - place)",
         f"  (:init\n    (hand-empty) (free {NOWHERE})",
         *(f"    {line}" for line in facts),
         f"  )\n  (:goal (and {goals})))",
@@ -199,17 +167,11 @@ def _goal_place(name: str, task: Task) -> str:
     return own if own in near else min(near, key=lambda place: (near[place], place))
 
 
-def read_durative(actions: Sequence[Atom], task: Task) -> tuple[PlanStep, ...]:
+def read_durative(actions: Sequence[Atom], task: Task) -> Iterator[PlanStep]:
     """Read ground actions with durations as steps; what they do is for the exact replay to judge."""
-    steps = []
-    for number, (name, *arguments) in enumerate(actions):
+    for name, *arguments in actions:
         if name != CARRY or len(arguments) != 3 + MOST_OVER or arguments[0] not in task.carriers:
-            said = f"nothing carries that; valid: ({CARRY} object from to and what stood there)"
-            raise Misread(said, number)
+            raise InvalidValue(f"nothing carries that; valid: ({CARRY} object from to and what stood there)")
         thing, _, place = arguments[:3]
-        try:
-            check_place(place, task.flat, task.grounding)
-        except (InvalidValue, UnknownChoice) as error:
-            raise Misread(str(error).rstrip("."), number) from error
-        steps.append(PlanStep(task.carriers[thing][0].name, thing, place))
-    return tuple(steps)
+        task.grounding.table.check(place, *task.flat.place_named(place))
+        yield PlanStep(task.carriers[thing][0].name, thing, place)

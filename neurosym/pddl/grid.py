@@ -46,13 +46,7 @@ class Grid:
         return [self.cell_name(axis, index) for index in range(self.last[axis] + 1)]
 
     def shifts(self, axis: int, cells: int, margin: int) -> list[tuple[int, int]]:
-        """List the pairs of cells (from, to) that a displacement leads between.
-
-        Args:
-            axis: 0, 1, 2 for x, y, z.
-            cells: The displacement.
-            margin: How many cells at either edge of the table no step may end in.
-        """
+        """List the pairs of cells (from, to) that a displacement leads between; none ends in the margins."""
         edge = margin if axis < 2 else 0
         ends = range(max(edge, cells), min(self.last[axis] - edge, self.last[axis] + cells) + 1)
         return [(end - cells, end) for end in ends]
@@ -82,17 +76,8 @@ def goal_region(
 
     Along z there are only the levels that objects of this category can be at: the table, and where lifts end.
     Those are taken that leave most of the ball, and x and y get what the farthest of them leaves: a disc. If
-    not a single cell is left, the goal's own is taken at the nearest level, and a replay must tell.
-
-    Args:
-        item: The object, at rest.
-        goal: Where its centre shall come to be [m].
-        tolerance: How near it must come [m].
-        grounding: What steps promise.
-        steps: How many steps the rounding of is reckoned with.
-
-    Raises:
-        InvalidValue: If the object does not stand on the table.
+    not a single cell is left, the goal's own is taken at the nearest level, and a replay must tell. The
+    rounding of so many steps is reckoned with; goal and tolerance are in metres.
     """
     check_on_table(item, grounding)
     grid, (error_x, error_y, error_z) = grid_of(grounding), rounding(item, grounding)

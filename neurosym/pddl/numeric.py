@@ -24,8 +24,7 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, best_levels, levels
 from neurosym.pddl.strips import actions_in, common_head, predicates_in, symbol_table
-from neurosym.pddl.strips_plan import Misread
-from neurosym.pddl.strips_problem import motion_name
+from neurosym.pddl.strips_problem import in_metres, motion_name
 from neurosym.pddl.syntax import NUMERIC, OBJECT, Atom, Domain, Facts, PddlProblem, Typed, domain_name
 from neurosym.problems import SceneObject
 from neurosym.tasks.options import Move
@@ -96,14 +95,9 @@ def numeric_domain(grounding: Grounding) -> Domain:
 
 
 def numeric_problem(task: Task, *, steps: int = STEPS) -> PddlProblem:
-    """Return the problem of a task in numbers.
+    """Return the problem of a task without relations in numbers.
 
-    Args:
-        task: The task, of objects that stand on the table.
-        steps: How many steps with an object the rounding of is taken off the goal regions.
-
-    Raises:
-        InvalidValue: If the task is one of relations.
+    The rounding of so many steps with an object is taken off its goal region.
     """
     problem, grounding = task.problem, task.grounding
     if task.relates:
@@ -120,8 +114,7 @@ def numeric_problem(task: Task, *, steps: int = STEPS) -> PddlProblem:
             atoms.append(("lowers", motion, *up) if up else (_OFFERS[verb], thing, motion))
             values |= {(along, motion): by + shift for along, by in zip(_ALONG, move.cells, strict=True)}
             costs[("cost", motion)] = move.cost
-        position = ", ".join(f"{value:.4f}" for value in item.position)
-        facts.append(Facts(f"{item.name} lies at ({position}) m at first", tuple(atoms)))
+        facts.append(Facts(f"{item.name} lies at {in_metres(item.position)} m at first", tuple(atoms)))
     things = [(item.name, grounding.category(item.category).name) for item in problem.objects]
     return PddlProblem(
         name=problem.name,
@@ -152,16 +145,14 @@ def write_numeric(steps: Sequence[PlanStep], task: Task) -> list[Atom]:
     return found
 
 
-def read_numeric(actions: Sequence[Atom], task: Task) -> tuple[PlanStep, ...]:
+def read_numeric(actions: Sequence[Atom], task: Task) -> Iterator[PlanStep]:
     """Read ground actions of the page in numbers as steps; what they do is for the exact replay to judge."""
-    steps = list[PlanStep]()
-    for number, words in enumerate(actions):
+    for words in actions:
         thing = next((one for one in words[1:2] if one in task.names), "")
         move = _offered(task, thing).get(words) if thing else None
         if move is None:
-            raise Misread(f"({' '.join(words)}) is nothing that the problem offers", number)
-        steps.append(PlanStep(move.name, thing))
-    return tuple(steps)
+            raise InvalidValue(f"({' '.join(words)}) is nothing that the problem offers")
+        yield PlanStep(move.name, thing)
 
 
 def is_numeric(actions: Sequence[Atom]) -> bool:
@@ -173,8 +164,7 @@ def is_numeric(actions: Sequence[Atom]) -> bool:
 def _offered(task: Task, thing: str) -> dict[Atom, Move]:
     """List what is done to an object, in units, by the ground action that does it.
 
-    A motion is named by its symbol, and by what it promises if that is not what it mostly does: it may have
-    two operators, one that lifts and one that pushes.
+    A motion is named by its symbol, and by what it promises if that is not what it mostly does.
     """
     live, found = {operator.name for operator in task.grounding.live}, dict[Atom, Move]()
     for move in task.moves_on(_in_units(task.grounding), thing):

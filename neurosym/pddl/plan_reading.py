@@ -9,10 +9,7 @@ passed over: they belong to files that are not printed any more, and the exact r
 
 A line holds actions, or it is passed over: a comment, or what else a log says. But a line that names an
 action or an object, and cannot be read, is refused, so that no step is lost. A service's answer in JSON
-holds a plan as strings, as objects, or as text.
-
-No reader of a library does this: unified-planning's takes 2 s to import and reads one form of the many;
-those of `pddl` and tarski read domains and problems, and no plans.
+holds a plan as strings, as objects, or as text. No reader of a library does this.
 """
 
 import math
@@ -28,11 +25,12 @@ from neurosym.pddl import strips
 from neurosym.pddl.durative import CARRY, read_durative
 from neurosym.pddl.grid import AXES
 from neurosym.pddl.numeric import is_numeric, read_numeric
-from neurosym.pddl.strips_plan import Misread, led_in, read
+from neurosym.pddl.strips_plan import led_in, read
 from neurosym.pddl.strips_problem import StripsProblem
+from neurosym.pddl.syntax import Atom
 from neurosym.problems import Problem
 from neurosym.tasks.options import PUT_DOWN
-from neurosym.tasks.task import Task, check_place, understand
+from neurosym.tasks.task import Task, understand
 from neurosym.tasks.transition import PlanStep
 
 MOST_PLAN = 16 * MEGABYTE
@@ -85,13 +83,12 @@ _FORMER = {_REACHED, "look-on", "reach-place", "leave-start", "leave-place", *_M
 """Actions of earlier versions that are no step of their own; the page has some of that name, too."""
 _FROM_TO = (2, 5)
 """So many arguments follow an object that is carried from one place to another, 5 in durative plans."""
-_Words = tuple[str, ...]
 
 
 class _Written(NamedTuple):
     """An action as it was written: its words in lower case, its line from 1, and when it begins, if told."""
 
-    words: _Words
+    words: Atom
     line: int
     text: str
     time: float | None
@@ -99,84 +96,53 @@ class _Written(NamedTuple):
 
 
 def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
-    """Read a plan file that any planner wrote, in any of the forms of docs/other-plans.md.
+    """Read a plan file that any planner wrote, in any of the forms of docs/other-plans.md; see `parse_plan`.
 
-    Args:
-        path: The plan file.
-        grounding: The learned domain; every operator of its table may occur, in the domain or not.
-        problem: The problem that the plan is for.
-
-    Raises:
-        InvalidPlan: If a line cannot be read, or says what is not so; see `parse_plan`.
-        InvalidFile: If the file is far too large, or no text.
+    Every operator of the table may occur, in the domain or not.
     """
     return parse_plan(read_text(path, MOST_PLAN), path, grounding, problem)
 
 
-def read_actions(path: Path, grounding: Grounding, problem: Problem) -> tuple[tuple[str, ...], ...]:
-    """Read the ground actions of a plan file, each with its arguments, whatever they mean.
-
-    Args:
-        path: The plan file.
-        grounding: The learned domain.
-        problem: The problem that the plan is for.
-
-    Raises:
-        InvalidPlan: If a line cannot be read.
-        InvalidFile: If the file is far too large, or no text.
-    """
-    written = _written(read_text(path, MOST_PLAN), path, _known(grounding, problem))
-    return tuple(one.words for one in written)
+def read_actions(path: Path, grounding: Grounding, problem: Problem) -> tuple[Atom, ...]:
+    """Read the ground actions of such a file, each with its arguments, whatever they mean."""
+    return tuple(one.words for one in _written(read_text(path, MOST_PLAN), path, grounding, problem))
 
 
-def parse_plan(text: str, path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanStep, ...]:
-    """Read the text of a plan.
-
-    Args:
-        text: The text.
-        path: What errors name as its origin.
-        grounding: The learned domain.
-        problem: The problem that the plan is for.
-
-    Raises:
-        InvalidPlan: If a line cannot be read, names what does not exist, says what is not so when the plan
-            is followed from the start, lacks what belongs to a step, or has no steps and does not say so.
-    """
-    return read_answer(text, path, understand(problem, grounding))
-
-
-def read_answer(
-    text: str, path: Path, task: Task, printed: Callable[[tuple[str, ...]], StripsProblem] | None = None
+def parse_plan(
+    text: str,
+    path: Path,
+    grounding: Grounding,
+    problem: Problem,
+    printed: Callable[[tuple[str, ...]], StripsProblem] | None = None,
 ) -> tuple[PlanStep, ...]:
-    """Read the text of a plan of a task, as it was printed.
+    """Read the text of a plan, which errors say is from the path.
 
-    Args:
-        text: The text.
-        path: What errors name as its origin.
-        task: The task.
-        printed: Returns the problem with some objects led over cells, with all motions; as it is printed
-            into a folder if not given.
-
-    Raises:
-        InvalidPlan: See `parse_plan`.
+    `InvalidPlan` if a line cannot be read, names what does not exist, says what is not so when the plan is
+    followed from the start, lacks what belongs to a step, or has no steps and does not say so. The problem
+    with some objects led over cells, with all motions, is as it is printed into a folder if not given.
     """
-    actions = _written(text, path, _known(task.grounding, task.problem))
+    task, actions = understand(problem, grounding), _written(text, path, grounding, problem)
     rows = [one.words for one in actions]
     while rows and rows[-1] == (_REACHED,):  # which some planners add
         rows.pop()
+    begun, found = list[PlanStep | None](), _begun(rows, task, printed)
     try:
-        return _steps(rows, task, printed or (lambda led: StripsProblem(task, led=led, every=True)))
-    except Misread as error:
-        action = actions[error.number]
-        said = f"{error} (step {error.number + 1}, `{shortened(action.text, LONGEST_ACTION)}`)"
-        raise InvalidPlan(path, action.line, said) from error
+        for step in found:
+            begun.append(step)
+    except (InvalidValue, UnknownChoice) as error:
+        number = min(len(begun), len(rows) - 1)
+        said = str(error).rstrip(".")
+        said += f" (step {number + 1}, `{shortened(actions[number].text, LONGEST_ACTION)}`)"
+        raise InvalidPlan(path, actions[number].line, said) from error
+    return tuple(step for step in begun if step)
 
 
 # Text of any planner or service, read into ground actions
 
 
-def _written(text: str, path: Path, known: Collection[str]) -> list[_Written]:
+def _written(text: str, path: Path, grounding: Grounding, problem: Problem) -> list[_Written]:
     """Read the last plan that a text holds, in the order of times; of equal ones, and without, as written."""
+    known = _known(grounding, problem)
     text = _FENCE.sub("", "\n".join(text.splitlines()))
     if _JSON.match(text):
         text = _unwrapped(text, path)
@@ -273,11 +239,10 @@ def _steps_in(document: Any) -> Iterator[str]:
 
 def _known(grounding: Grounding, problem: Problem) -> set[str]:
     """Name the objects, and all actions of the domain, in short and of earlier versions."""
-    singles = {one.name for one in grounding.every_operator}
-    singles |= {f"{PUT_DOWN}{name}" for name in singles}
     pairs = {one.name for one in grounding.relations.every_operator} if grounding.relations else set()
     pairs |= {f"{name}{_LADEN}" for name in pairs}
-    return {CARRY, *_of_page(grounding), *problem.object_names, *singles, *pairs, *_notes(grounding)}
+    known = {CARRY, *_of_page(grounding), *problem.object_names, *pairs, *_notes(grounding)}
+    return known.union(_singles(grounding))
 
 
 def _of_page(grounding: Grounding) -> set[str]:
@@ -286,36 +251,41 @@ def _of_page(grounding: Grounding) -> set[str]:
 
 def _notes(grounding: Grounding) -> set[str]:
     """Name the actions of earlier versions that are no step, but belonged to one or said what is so."""
-    left = [f"leave-{one.name}" for one in (grounding.relations.states if grounding.relations else ())]
-    operators = [one.name for one in grounding.every_operator]
-    led = [f"finish-{first}{name}-{axis}" for name in operators for first in ("", PUT_DOWN) for axis in AXES]
-    return {*_FORMER, *left, *led}
+    left = {f"leave-{one.name}" for one in (grounding.relations.states if grounding.relations else ())}
+    return {*_FORMER, *left, *(f"finish-{name}-{axis}" for name in _singles(grounding) for axis in AXES)}
+
+
+def _singles(grounding: Grounding) -> list[str]:
+    return [f"{first}{one.name}" for one in grounding.every_operator for first in ("", PUT_DOWN)]
 
 
 # Ground actions, read as steps
 
 
-def _steps(
-    rows: Sequence[_Words], task: Task, printed: Callable[[tuple[str, ...]], StripsProblem]
-) -> tuple[PlanStep, ...]:
-    """Read ground actions, of whichever encoding they are."""
+def _begun(
+    rows: Sequence[Atom], task: Task, printed: Callable[[tuple[str, ...]], StripsProblem] | None
+) -> Iterator[PlanStep | None]:
+    """Return an iterator over ground actions, of whichever encoding they are: the step that each begins."""
     names, page = {words[0] for words in rows}, _of_page(task.grounding)
     if names == {CARRY}:
         return read_durative(rows, task)
-    if names and names <= page:
-        return read_numeric(rows, task) if is_numeric(rows) else read(rows, printed(led_in(rows, task)))
-    steps, notes = list[PlanStep](), _notes(task.grounding)
-    for number, (name, *arguments) in enumerate(rows):
-        if name in page - _FORMER - {"leave"}:
-            raise Misread(f"{name} is an action of the page, and others of the plan are not", number)
-        if not steps and name.startswith(("finish-", *_MOVES)):
-            raise Misread(f"nothing begins what {name} leads on", number)
-        if name not in notes:
-            try:
-                steps.append(_step(name, arguments, task.flat, task.grounding))
-            except (InvalidValue, UnknownChoice) as error:
-                raise Misread(str(error).rstrip("."), number) from error
-    return tuple(steps)
+    if not names or not names <= page:
+        return _in_short(rows, task, page - _FORMER - {"leave"})
+    if is_numeric(rows):
+        return read_numeric(rows, task)
+    led = led_in(rows, task)
+    return read(rows, printed(led) if printed else StripsProblem(task, led=led, every=True))
+
+
+def _in_short(rows: Sequence[Atom], task: Task, others: Collection[str]) -> Iterator[PlanStep | None]:
+    is_begun, notes = False, _notes(task.grounding)
+    for name, *arguments in rows:
+        if name in others:
+            raise InvalidValue(f"{name} is an action of the page, and others of the plan are not")
+        if not is_begun and name.startswith(("finish-", *_MOVES)):
+            raise InvalidValue(f"nothing begins what {name} leads on")
+        is_begun = is_begun or name not in notes
+        yield None if name in notes else _step(name, arguments, task.flat, task.grounding)
 
 
 def _step(name: str, arguments: Sequence[str], problem: Problem, grounding: Grounding) -> PlanStep:
@@ -340,7 +310,7 @@ def _step(name: str, arguments: Sequence[str], problem: Problem, grounding: Grou
     if grounding.carries(operator):
         from_to = len(others) in _FROM_TO and others[1] not in _ORIGINS
         to = others[1] if from_to else "".join(others[:1])
-        check_place(to, problem, grounding)
+        grounding.table.check(to, *problem.place_named(to))
         return PlanStep(name, thing, to)
     if step.puts_down and not is_lift(operator):
         raise InvalidValue(f"{operator.name} does not end with the object held, so nothing can be put down")

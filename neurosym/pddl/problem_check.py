@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Sequence
 from itertools import combinations, product
 
 import numpy as np
@@ -13,10 +14,18 @@ from neurosym.pair_operators import rotation
 from neurosym.pddl.compiler import is_taken
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.strips import NOWHERE
-from neurosym.problems import NEAR_TABLE, SPOT, Problem, SceneObject, check_goals, check_names, goal_heights
-from neurosym.tasks.pair_goals import check_relations
+from neurosym.problems import (
+    NEAR_TABLE,
+    SPOT,
+    Problem,
+    RelationGoal,
+    SceneObject,
+    check_goals,
+    check_names,
+    goal_heights,
+)
 from neurosym.tasks.supports import chain_below, known_bearers
-from neurosym.tasks.task import GOAL, PARK, START, footprints_apart, is_at
+from neurosym.tasks.task import GOAL, PARK, START, footprints_apart, is_at, understand, unmet_relations
 
 OFF_REST = 0.005
 """How far from the height it rests at an object's centre may be [m]; physics settles it within 0.1 mm."""
@@ -27,16 +36,9 @@ _TAKEN = rf"{NOWHERE}|{START}.*|{SPOT.pattern}"
 
 
 def check_problem(problem: Problem, grounding: Grounding | None, limits: ObjectLimits | None) -> None:
-    """Raise unless the scene of a problem can be, and its goals too.
+    """Raise `InvalidValue` or `UnknownChoice` unless the scene of a problem can be, and its goals too.
 
-    Args:
-        problem: The problem.
-        grounding: The learned domain: its table and its categories; if None, these are not checked.
-        limits: Which objects the world makes; if None, how objects are and stand is not checked.
-
-    Raises:
-        InvalidValue: If there is no goal, or something is or stands as it cannot.
-        UnknownChoice: If an object is of a category that the domain does not have.
+    Without a grounding, table and categories are not checked; without limits, how objects are and stand.
     """
     bearers = known_bearers(problem, grounding.relations) if grounding and grounding.relations else {}
     for item in problem.objects:
@@ -94,12 +96,7 @@ def _check_apart(one: SceneObject, other: SceneObject) -> None:
 
 
 def check_places(problem: Problem, grounding: Grounding) -> None:
-    """Raise `InvalidValue` unless objects can be carried to each place of a problem.
-
-    Args:
-        problem: The problem; if it names no places, they are drawn, and nothing is wrong.
-        grounding: The learned domain.
-    """
+    """Raise `InvalidValue` unless objects can be carried to each place that a problem names."""
     if not problem.places:
         return
     if not grounding.carriers:
@@ -134,3 +131,70 @@ def check_places(problem: Problem, grounding: Grounding) -> None:
                     f"The places {one} and {other} are too near for {names[mine]} and {names[its]}; valid: "
                     f"at least {x:.3f} m apart in x, or {y:.3f} m in y."
                 )
+
+
+# Whether the goals by relation of a problem can be, by what was learned of its pairs.
+def relations_meant(goals: Sequence[RelationGoal], grounding: Grounding) -> tuple[RelationGoal, ...]:
+    """Return goals by relation with the names of the states that are meant by name, symbol or a beginning."""
+    if not goals:
+        return ()
+    if grounding.relations is None:
+        raise InvalidValue(
+            "This domain has learned no relations; valid here: goals on the table, as item-01=0.60,0.10."
+        )
+    meant = grounding.relations.state_meant
+    return tuple(dict.fromkeys((target, reference, meant(word).name) for target, reference, word in goals))
+
+
+def check_relations(problem: Problem, grounding: Grounding) -> None:
+    """Refuse unmet goals by relation that nothing leads to, and kinds of pairs that are no codes."""
+    if grounding.relations and grounding.relations.pairs:
+        one = grounding.relations.pairs[0].symbol
+        for pair, code in sorted(problem.pairs.items()):
+            if len(code) != len(one):
+                said = f"pairs has the code {code!r} for {pair!r}"
+                raise InvalidValue(f"{said}; valid: {len(one)} bits, like {one!r}, or no entry.")
+    if problem.related and (reason := why_no_relation(problem, grounding)):
+        raise InvalidValue(f"{reason}.")
+
+
+def why_no_relation(problem: Problem, grounding: Grounding) -> str:
+    """Say which goal by relation nothing leads to, and what would be valid; nothing if there is none."""
+    task = understand(problem, grounding)
+    bearing = ", ".join(state.name for state in grounding.bearing_states) or "none was learned"
+    for target, reference, name in problem.related:
+        state = task.state_named(name)
+        if not state.bears:
+            return (
+                f"{target} cannot be brought to {state.name} with {reference}, in which nothing is borne; "
+                f"valid states: {bearing}"
+            )
+    for target, reference, name in unmet_relations(problem, grounding):
+        state = task.state_named(name)
+        if not any(put.state == state for put in task.puts[target, reference]):
+            valid = valid_relations(problem, grounding, target)
+            return f"no operator brings {target} to {state.name} with {reference}; {valid}"
+    return why_too_many(problem, grounding)
+
+
+def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:
+    """Say what can be done with an object relative to others."""
+    puts = understand(problem, grounding).puts
+    others = (other for other in problem.object_names if other != target)
+    known = ", ".join(dict.fromkeys(f"{put.state.name} {one}" for one in others for put in puts[target, one]))
+    return f"valid for {target}: {known}" if known else f"nothing puts {target} on or into any other object"
+
+
+def why_too_many(problem: Problem, grounding: Grounding) -> str:
+    """Say which object should bear several and cannot, or nothing."""
+    puts, wanted = understand(problem, grounding).puts, dict[str, list[str]]()
+    for target, reference, _ in problem.related:
+        wanted.setdefault(reference, []).append(target)
+    for reference, targets in wanted.items():
+        every = (put for target in targets for put in puts[target, reference])
+        if len(targets) > 1 and not any(put.operator.takes("occupied") for put in every):
+            return (
+                f"{reference} shall bear {' and '.join(targets)}, and rehearsals show that it bears one "
+                "object at a time; leave one of the two out"
+            )
+    return ""

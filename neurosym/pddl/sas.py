@@ -1,10 +1,9 @@
 """Printing objects that are led over cells in SAS+, which Fast Downward's search reads.
 
 It says what the page says of them, an axis at a time, on the domain's own cells, and with the height as a
-variable. Fast Downward's translator would have to find out what we know: which facts exclude each other, and
-which ground actions there are. So the shipped problems of eight objects take half the time, and six objects
-at once, which take 2 s so, are not solved on the page in 60. On the same cells both have plans of the same
-cost.
+variable. Fast Downward's translator would have to find out which facts exclude each other, and which ground
+actions there are. So the shipped problems of eight objects take half the time, and six objects at once, which
+take 2 s so, are not solved on the page in 60. On the same cells both have plans of the same cost.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -23,19 +22,9 @@ _Change = tuple[int, int, int]
 
 
 def sas_text(problem: Problem, grounding: Grounding, *, steps: int = STEPS, margin: int = 0) -> str:
-    """Print a problem with its domain.
+    """Print a problem with its domain; steps and margin are those of `StripsProblem`.
 
     Objects without a goal are left out, for in the encoding they are in nobody's way.
-
-    Args:
-        problem: The problem.
-        grounding: The learned domain.
-        steps: How many steps the rounding of is taken off the goal regions.
-        margin: How many cells at either edge of the table no step may end in.
-
-    Raises:
-        InvalidValue: If an object stands off the table, or its name means something else in the domain.
-        UnknownChoice: If an object is of a category that the domain does not have.
     """
     for item in problem.objects:
         check_object(item, grounding)
@@ -52,10 +41,7 @@ def sas_text(problem: Problem, grounding: Grounding, *, steps: int = STEPS, marg
 
 
 class _Task:
-    """The variables of a problem, and what its operators do with them.
-
-    `values` says what those of a variable stand for, by what the variable is about; `items` have goals.
-    """
+    """The variables of a problem, each with what its values stand for, and what operators do with them."""
 
     def __init__(self, problem: Problem, grounding: Grounding, margin: int) -> None:
         self.items = [problem.object_named(name) for name in sorted(problem.goals)]

@@ -172,10 +172,7 @@ _LEADING = _Part(
 
 
 def _carrying(grounding: Grounding, origin: str = "") -> _Part:
-    """Return what takes objects from places and puts them at others.
-
-    The variable `origin` is for where an object in the hand is from, where it can be from another object.
-    """
+    """Return what carries objects to places; a variable says from where, if it can be from another object."""
     has_origins = bool(origin)
     leave = """
         (leave ?o ?p) ; note that ?o, moved by cells to its goal, has left its spot

@@ -3,24 +3,17 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding, is_lift
 from neurosym.pair_operators import case_of
 from neurosym.pddl import strips
-from neurosym.pddl.strips_problem import COUNTS, StripsProblem, motion_name, price_name, step_name
+from neurosym.pddl.strips_problem import BEGUN_BY, COUNTS, StripsProblem, motion_name, price_name, words_of
 from neurosym.pddl.syntax import STRIPS, Atom, Course, EncodingName, words
 from neurosym.problems import spot_named
 from neurosym.tasks.options import PUT_DOWN
 from neurosym.tasks.supports import loads_of
-from neurosym.tasks.task import START, Task, check_place
+from neurosym.tasks.task import START, Task
 from neurosym.tasks.transition import PlanStep, apply, start
-
-_BEGUN_BY = {
-    "rest": ("push", "pushes"),
-    "lift": ("lift", "lifts"),
-    "put-down": ("put-down", "lowers"),
-}
-"""What begins each kind of move, and what says that it is offered."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,14 +42,6 @@ class GroundPlan:
         return tuple(fact for fact in map(words, self.facts) if fact not in problem)
 
 
-class Misread(InvalidValue):
-    """A plan that says what is not so in an action, counted from 0."""
-
-    def __init__(self, problem: str, number: int):
-        super().__init__(problem)
-        self.number = number
-
-
 def led_in(actions: Iterable[Atom], task: Task) -> tuple[str, ...]:
     """Name the objects that ground actions lead over cells, and those that would be led anyway."""
     begun = {words[1] for words in actions if words[0] in ("push", "lift") and len(words) > 1}
@@ -64,15 +49,7 @@ def led_in(actions: Iterable[Atom], task: Task) -> tuple[str, ...]:
 
 
 def action_for(operator: str, grounding: Grounding) -> str:
-    """Name the action of the page that a step with an operator is an instance of.
-
-    Args:
-        operator: Name of the operator of a step.
-        grounding: The learned domain.
-
-    Raises:
-        UnknownChoice: If there is no such operator.
-    """
+    """Name the action of the page that a step with an operator of that name is an instance of."""
     if operator.startswith(PUT_DOWN):
         return "put-down"
     if grounding.relation_named(operator):
@@ -141,20 +118,18 @@ class _Writer:
             )
         if self.was_carried(name):
             raise InvalidValue(f"{name} is carried and then led over cells, so the plan cannot be printed.")
-        shifts = [step_name(axis, move.cells[axis]) for axis in (0, 1)]
-        price = [price_name(move.cost)] if move.kind != "put-down" else []
-        verb, offered = _BEGUN_BY[move.kind]
-        self.actions.append((verb, name, motion_name(move), *shifts, *price))
-        self.facts.append((offered, name, motion_name(move), *shifts, *price))
+        verb, offered = BEGUN_BY[move.kind]
+        told, here = words_of(name, move), self._cells[name]
+        self.actions.append((verb, *told))
+        self.facts.append((offered, *told))
         self.moves.append((name, move.operator.name))
-        here = self._cells[name]
         for axis, mover in enumerate(("move-x", "move-y")):
             before, here[axis] = here[axis], here[axis] + move.cells[axis]
             if not 0 <= here[axis] <= self._grid.last[axis]:
                 raise InvalidValue(f"{move.name} leads {name} off the grid along {'xy'[axis]}.")
             cells = [self._grid.cell_name(axis, cell) for cell in (before, here[axis])]
-            self.actions.append((mover, name, shifts[axis], *cells))
-            self.facts.append((f"{'xy'[axis]}-sum", shifts[axis], *cells))
+            self.actions.append((mover, name, told[2 + axis], *cells))
+            self.facts.append((f"{'xy'[axis]}-sum", told[2 + axis], *cells))
         self._lifted = (name, motion_name(move)) if move.kind == "lift" else None
 
     def reach_cell(self, name: str) -> None:
@@ -214,27 +189,22 @@ class _Writer:
         self.actions.append((verb, *said, COUNTS[count], COUNTS[count + 1], way, cost))
 
 
-def read(actions: Sequence[Atom], printed: StripsProblem) -> tuple[PlanStep, ...]:
-    """Read ground actions of the page as steps.
+def read(actions: Sequence[Atom], printed: StripsProblem) -> Iterator[PlanStep | None]:
+    """Read ground actions of the page, of a problem in which every object that they lead over cells is led.
 
-    Each action must be possible where it stands. That an object is at its goal, and that it has room at a
-    spot, is for the exact replay to judge.
-
-    Args:
-        actions: The ground actions.
-        printed: The problem, in which every object that they lead over cells is led.
-
-    Raises:
-        Misread: If an action is not possible, or the plan lacks something.
+    Returns an iterator over the steps that the actions begin, None for an action that begins none. Each must
+    be possible where it stands, and the plan lack nothing. That an object is at its goal, and that it has
+    room at a spot, is for the exact replay to judge.
     """
-    task, steps = printed.task, list[PlanStep]()
-    course = Course(strips.page(task.grounding), {*printed.data().atoms, *_granted(actions, printed)})
-    for number, (name, *arguments) in enumerate(actions):
-        try:
-            course.take(name, arguments)
-            steps += _begun(name, arguments, printed)
-        except (InvalidValue, UnknownChoice) as error:
-            raise Misread(str(error).rstrip("."), number) from error
+    holds = {*printed.data().atoms, *_granted(actions, printed)}
+    return _followed(actions, printed, Course(strips.page(printed.task.grounding), holds))
+
+
+def _followed(actions: Sequence[Atom], printed: StripsProblem, course: Course) -> Iterator[PlanStep | None]:
+    task = printed.task
+    for name, *arguments in actions:
+        course.take(name, arguments)
+        yield _begun(name, arguments, printed)
     taken = [atom[1] for atom in course.holds if atom[0] == "taken"]
     missing = [name for name in sorted(task.problem.goals) if ("done", name) not in course.holds]
     lack = ""
@@ -245,8 +215,7 @@ def read(actions: Sequence[Atom], printed: StripsProblem) -> tuple[PlanStep, ...
     elif missing and any(name.startswith("reach-") for name, *_ in actions):
         lack = f"after it nothing notes that {missing[0]} is at its goal, though that is noted of others"
     if actions and lack:
-        raise Misread(lack, len(actions) - 1)
-    return tuple(steps)
+        raise InvalidValue(lack)
 
 
 def _granted(actions: Iterable[Atom], printed: StripsProblem) -> Iterator[Atom]:
@@ -265,20 +234,20 @@ def _granted(actions: Iterable[Atom], printed: StripsProblem) -> Iterator[Atom]:
                 yield ("free", place)
 
 
-def _begun(name: str, arguments: Sequence[str], printed: StripsProblem) -> Iterator[PlanStep]:
-    """Yield the step that an action begins, if it begins one."""
+def _begun(name: str, arguments: Sequence[str], printed: StripsProblem) -> PlanStep | None:
+    """Return the step that an action begins, if it begins one."""
     task, thing = printed.task, arguments[0]
-    if kind := next((kind for kind, (verb, _) in _BEGUN_BY.items() if verb == name), None):
-        wanted = (arguments[1], kind)
-        moves = printed.moves[thing]
-        yield PlanStep(next(one.name for one in moves if (motion_name(one), one.kind) == wanted), thing)
-    elif name == "put-at":
-        check_place(arguments[1], task.flat, task.grounding)
-        yield PlanStep(task.carriers[thing][0].name, thing, arguments[1])
-    elif name in ("put", "put-loaded"):
+    if kind := next((kind for kind, (verb, _) in BEGUN_BY.items() if verb == name), None):
+        wanted, moves = (arguments[1], kind), printed.moves[thing]
+        return PlanStep(next(one.name for one in moves if (motion_name(one), one.kind) == wanted), thing)
+    if name == "put-at":
+        task.grounding.table.check(arguments[1], *task.flat.place_named(arguments[1]))
+        return PlanStep(task.carriers[thing][0].name, thing, arguments[1])
+    if name in ("put", "put-loaded"):
         perch, other, origin = arguments[1:4]
         is_borne, is_occupied = origin == strips.FROM_PERCH, arguments[-4] != COUNTS[0]
         case = case_of(is_borne, is_occupied, name == "put-loaded")
         options = [one for one in task.put_options[thing, other] if one.case == case]
         put = next(one.name for one in options if printed.perch(one.state, other) == perch)
-        yield PlanStep(put, thing, other)
+        return PlanStep(put, thing, other)
+    return None

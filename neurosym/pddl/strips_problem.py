@@ -50,6 +50,17 @@ def step_name(axis: int, cells: int) -> str:
     return f"d{'xy'[axis]}{cells}"
 
 
+BEGUN_BY = {"rest": ("push", "pushes"), "lift": ("lift", "lifts"), "put-down": ("put-down", "lowers")}
+"""What begins each kind of move, and what says that it is offered."""
+
+
+def words_of(name: str, move: Move) -> Atom:
+    """Return what follows these words: the object, the motion, how far it goes, and what that costs."""
+    shifts = (step_name(axis, move.cells[axis]) for axis in (0, 1))
+    price = () if move.kind == "put-down" else (price_name(move.cost),)
+    return (name, motion_name(move), *shifts, *price)
+
+
 def price_name(cost: int) -> str:
     """Name a price, like `cost12`."""
     return f"cost{cost}"
@@ -86,12 +97,7 @@ class StripsProblem:
         self.grid = grid_of(self.cells)
 
     def data(self, beside: Iterable[Atom] = (), spots: Iterable[str] = ()) -> PddlProblem:
-        """Return the problem as data.
-
-        Args:
-            beside: Facts that plans beside it need.
-            spots: Places that they need.
-        """
+        """Return the problem as data, with the facts and the spots that plans beside it need."""
         task, facts = self.task, [*self._facts()]
         known = {atom for row in facts for atom in row.atoms}
         if more := [atom for atom in dict.fromkeys(beside) if atom not in known]:
@@ -210,10 +216,7 @@ class StripsProblem:
 
     @cached_property
     def _carried(self) -> list[tuple[list[str], int]]:
-        """What can be carried to places, each with what that costs.
-
-        Where it comes from is told if the domain puts objects on others.
-        """
+        """What can be carried to places, from where if objects may be on others, and what that costs."""
         task, found = self.task, list[tuple[list[str], int]]()
         for name in task.carried:
             takes = task.relates and task.grounding.takes(task.carriers[name][0], "borne")
@@ -295,14 +298,8 @@ class StripsProblem:
             *(("by-cells", name), ("on-table", name)),
             *(("at-x", name, names[0][x]), ("at-y", name, names[1][y])),
         ]
-        for move in moves:
-            words = (name, motion_name(move), *(step_name(axis, move.cells[axis]) for axis in (0, 1)))
-            if move.kind == "put-down":
-                atoms.append(("lowers", *words))
-            else:
-                verb = "lifts" if move.kind == "lift" else "pushes"
-                atoms.append((verb, *words, price_name(move.cost)))
-        yield Facts(f"{name} lies at {_metres(item.position)} m at first", tuple(atoms))
+        atoms += [(BEGUN_BY[move.kind][1], *words_of(name, move)) for move in moves]
+        yield Facts(f"{name} lies at {in_metres(item.position)} m at first", tuple(atoms))
         if goal:
             region = goal_region(item, goal, problem.tolerance, self.cells, steps=self.steps)
             heights: list[Atom] = [("goal-on-table", name)] if 0 in region.z else []
@@ -312,7 +309,7 @@ class StripsProblem:
                 if move.kind == "lift" and move.cells[2] in region.z
             ]
             cells = [("goal-cell", name, names[0][x], names[1][y]) for x, y in region.xy]
-            yield Facts(f"and shall come to {_metres(goal)} m", (*heights, *cells))
+            yield Facts(f"and shall come to {in_metres(goal)} m", (*heights, *cells))
 
     def _steps(self, axis: int) -> list[int]:
         """Return all steps along an axis, in order."""
@@ -330,7 +327,8 @@ def _plain(state: PairState) -> str:
     return state.name.removesuffix(f"-{state.symbol}")
 
 
-def _metres(position: Iterable[float]) -> str:
+def in_metres(position: Iterable[float]) -> str:
+    """Print a position."""
     return f"({', '.join(f'{value:.4f}' for value in position)})"
 
 

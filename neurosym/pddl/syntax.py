@@ -73,11 +73,7 @@ class Domain:
     functions: tuple[Predicate, ...] = ()  # other functions
 
     def action(self, name: str) -> Action:
-        """Return the action of a name.
-
-        Raises:
-            UnknownChoice: If there is none.
-        """
+        """Return the action of a name; `UnknownChoice` if there is none."""
         found = next((action for action in self.actions if action.name == name), None)
         if found is None:
             raise UnknownChoice("action", name, [action.name for action in self.actions])
@@ -166,12 +162,7 @@ class Course:
     holds: set[Atom]
 
     def take(self, name: str, arguments: Sequence[str]) -> None:
-        """Take a ground action.
-
-        Raises:
-            UnknownChoice: If the domain has no such action.
-            InvalidValue: If it has more or fewer parameters, or something does not hold that it needs.
-        """
+        """Take a ground action, or refuse one that the domain does not have, or that is not possible here."""
         action = self.domain.action(name)
         parameters = [parameter for parameter, _ in action.parameters]
         if len(arguments) != len(parameters):

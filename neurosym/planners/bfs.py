@@ -28,7 +28,7 @@ from neurosym.planners.planner import PlanResult, PlanStatus, check_time, within
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.options import PUT_DOWN
 from neurosym.tasks.promises import promised, usable
-from neurosym.tasks.task import Task, footprints_apart, overlapping, understand
+from neurosym.tasks.task import Task, footprints_apart, is_within, overlapping, understand
 from neurosym.tasks.transition import PlanStep, State, apply, missed, refusal, start
 from neurosym.world import Table
 
@@ -120,12 +120,7 @@ def plan_bfs(
 ) -> PlanResult:
     """Find a plan with the fewest primitives, the first in breadth-first order.
 
-    Args:
-        problem: Where the objects are and shall be.
-        branching: What each primitive does to each object.
-        table: Where objects may stand.
-        depth: How many primitives a plan may have; fewer are looked at if `depth_within` says so.
-        time_limit: The user's ceiling [s].
+    It may have so many as the depth says, or fewer if `depth_within` says so.
     """
     begin, room, deepest = problem.scene().positions, problem.room(table), depth_within(branching, depth)
     if problem.is_met(begin):
@@ -180,7 +175,7 @@ def _meeting(
         lifted = before[rows, moved] + branching.effects[moved, primitive]
         before[rows, moved] += settled[moved, primitive]
         # A NaN never goes away again, and so it marks the whole sequence as impossible.
-        possible = _inside(lifted, room[:, moved]) & _inside(before[rows, moved], room[:, moved])
+        possible = is_within(lifted, room[:, moved]) & is_within(before[rows, moved], room[:, moved])
         before[~possible] = np.nan
     goals, tolerance = problem.goal_positions(), problem.tolerance  # (M, 3), NaN without a goal
     wrong = np.linalg.norm(before - goals, axis=-1) > tolerance  # (n, M), False without a goal
@@ -189,7 +184,7 @@ def _meeting(
 
     def met(effects: Float[np.ndarray, "M P 3"]) -> tuple[Bool[np.ndarray, "n M P"], ...]:
         ends = before[:, :, None] + effects  # (n, M, P, 3)
-        inside = _inside(ends, room[:, :, None])
+        inside = is_within(ends, room[:, :, None])
         near = np.linalg.norm(ends - goals[:, None], axis=-1) <= tolerance
         return inside, inside & others[:, :, None] & (near | np.isnan(goals[:, :1]))
 
@@ -202,11 +197,6 @@ def _meeting(
             yield choices, False
         if put_down[row, thing, primitive]:
             yield choices, True
-
-
-def _inside(positions: Float[np.ndarray, "*n 3"], room: Float[np.ndarray, "2 *m"]) -> Bool[np.ndarray, "*n"]:
-    spots = positions[..., :2]
-    return np.asarray(np.all((spots >= room[0]) & (spots <= room[1]), axis=-1))
 
 
 def _steps(

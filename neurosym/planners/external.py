@@ -76,16 +76,8 @@ def run_limited(
 ) -> Finished:
     """Run a command in a session of its own, and kill all that is left of it when it ends or its time is up.
 
-    Args:
-        command: The command.
-        folder: Its working directory, and where its temporary files go.
-        time_limit: When to kill it [s]; infinite: never.
-        stdin: What it reads from its standard input.
-        environment: Variables added to the environment.
-        memory: How much memory it may take [bytes].
-
-    Raises:
-        CannotStart: If the system lets no process be started.
+    The folder is its working directory, and where its temporary files go. Its time may be infinite [s], and
+    its memory is limited [bytes]. Variables are added to the environment.
     """
     mark = f"{_kept()}.{uuid.uuid4().hex}"
     source_file = stdin or Path(os.devnull)
@@ -333,11 +325,7 @@ def plan_fast_downward(
 ) -> PlannerAnswer:
     """Solve a problem with Fast Downward: translate it, and search until one has memory enough.
 
-    Args:
-        domain: File of the domain in PDDL.
-        problem: File of the problem in PDDL, or of both in SAS+ (`.sas`), which is not translated.
-        time_limit: When to give up [s].
-        searches: What to try, one after another; by what the problem needs, if not given.
+    A file of both in SAS+ (`.sas`) is not translated. What is tried is by what a problem needs, if not given.
     """
     begin = time.perf_counter()
     programs = _programs()

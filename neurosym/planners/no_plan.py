@@ -105,16 +105,7 @@ def look_again(
     time_limit: float | None = None,
     goes_near: bool = False,
 ) -> PlanResult:
-    """Where there is no plan, say whether counting has one, or go as near to the goal as can be.
-
-    Args:
-        result: What the planner says.
-        problem: The problem.
-        grounding: The learned domain.
-        planner: The planner.
-        time_limit: The user's ceiling [s]; none if not given.
-        goes_near: Whether to plan to the nearest points that can be reached instead.
-    """
+    """Where a planner says that there is no plan, say whether counting has one, or go as near as can be."""
     has_ended = result.status in (PlanStatus.UNSOLVABLE, PlanStatus.NOT_FOUND, PlanStatus.FAILED)
     is_open = planner.reads == "network" or result.status is not PlanStatus.UNSOLVABLE
     asks = goes_near or (is_open and not planner.is_exact)

@@ -21,16 +21,15 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.compiler import domain_text
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_problem
-from neurosym.pddl.plan_reading import read_answer
+from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.problem_check import why_no_relation
 from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips_problem import STEPS, StripsProblem, printed_cell
 from neurosym.pddl.syntax import NUMERIC, SAS, STRIPS, EncodingName
-from neurosym.planners.action_counts import candidates, choices_of
+from neurosym.planners.action_counts import candidates, choices_of, clearest_first, ends_held, mend
 from neurosym.planners.external import SAS_SUFFIX, scratch_folder
-from neurosym.planners.joined_plans import plan_in_turns
+from neurosym.planners.joined_plans import plan_in_turns, plan_singly
 from neurosym.planners.no_plan import explain_clash, explain_no_plan
-from neurosym.planners.object_paths import plan_singly
-from neurosym.planners.plan_order import clearest_first, ends_held, mend
 from neurosym.planners.planner import (
     CEILING,
     ON_PAGE,
@@ -50,11 +49,9 @@ from neurosym.planners.planner import (
     within,
 )
 from neurosym.problems import Problem
-from neurosym.tasks.chances import expected_success
 from neurosym.tasks.options import step_cost
-from neurosym.tasks.pair_goals import why_no_relation
 from neurosym.tasks.task import PARK, is_reached, understand
-from neurosym.tasks.transition import PlanStep, operator_for, validate
+from neurosym.tasks.transition import PlanStep, expected_success, operator_for, validate
 from neurosym.world import Table
 
 ATTEMPTS = 4
@@ -269,10 +266,7 @@ class _Search:
     def _call(
         self, problem: Problem, grounding: Grounding, slack: _Slack, *, carries: bool = False
     ) -> PlanResult:
-        """Print domain and problem, call the planner, and read what it wrote.
-
-        What cannot be carried is led over cells, or everything unless objects are carried.
-        """
+        """Print a problem, call the planner, and read its answer; unless objects are carried, all is led."""
         if is_reached(problem, grounding):
             return PlanResult(PlanStatus.SOLVED, (), 0.0)
         self.effort.check()
@@ -301,7 +295,8 @@ class _Search:
         if answer.status is PlanStatus.TIMEOUT:
             raise TimeIsUp
         try:
-            steps = read_answer(answer.text, _ANSWER, task, lambda led: page(led=led, every=True))
+            every = partial(page, every=True)
+            steps = parse_plan(answer.text, _ANSWER, grounding, problem, lambda led: every(led=led))
         except InvalidPlan as error:
             reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
             return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)
@@ -310,14 +305,12 @@ class _Search:
 
 def _why_none(problem: Problem, grounding: Grounding) -> str:
     """Say with which places there is no plan; with others there may be one."""
-    parks = sum(name.startswith(PARK) for name in problem.places)
+    parks, task = sum(name.startswith(PARK) for name in problem.places), understand(problem, grounding)
     said = f"there is no plan with the places of the problem, of which {parks} are free to park on"
-    task = understand(problem, grounding)
-    fixed = [name for name in problem.unmet if task.relates and name not in task.carriers]
-    if not fixed:
-        return said
-    goals = "has a goal" if len(fixed) == 1 else "have goals"
-    return f"{said}; {' and '.join(fixed)} {goals} on the table, and nothing carries it to places"
+    if fixed := [name for name in problem.unmet if task.relates and name not in task.carriers]:
+        goals = "has a goal" if len(fixed) == 1 else "have goals"
+        said += f"; {' and '.join(fixed)} {goals} on the table, and nothing carries it to places"
+    return said
 
 
 def _not_proved(result: PlanResult) -> PlanResult:

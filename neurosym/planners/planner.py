@@ -89,11 +89,7 @@ _Given = TypeVar("_Given", PlanResult, PlannerAnswer)
 
 
 def checked(name: str, given: object, kind: type[_Given], source: str) -> _Given:
-    """Return what a function of somebody's own planner gives, its reason in one line.
-
-    Raises:
-        InvalidPlanner: If it is of another kind, or a part of it is.
-    """
+    """Return what somebody's own planner gives, its reason in one line, or refuse another kind."""
     if not isinstance(given, kind):
         found, valid = type(given).__name__, kind.__name__
         raise InvalidPlanner(name, f"gives a {found} from {source}; valid: a {valid}")
@@ -149,11 +145,7 @@ class PddlProgram:
     costs: bool = True
 
     def encoding_for(self, planner: str, asked: EncodingName | None) -> EncodingName:
-        """Return the encoding asked for, or the one that the planner of a name does best with.
-
-        Raises:
-            InvalidValue: If the planner does not take it.
-        """
+        """Return the encoding asked for, or the one that the planner of a name does best with."""
         if asked is not None and asked not in self.encodings:
             valid = ", ".join(sorted(self.encodings))
             raise InvalidValue(f"{planner} does not take the encoding {asked!r}; valid: {valid}.")
@@ -162,11 +154,7 @@ class PddlProgram:
 
 @dataclass(frozen=True, slots=True)
 class Planner:
-    """A planner.
-
-    Raises:
-        InvalidPlanner: If something of this cannot be.
-    """
+    """A planner; `InvalidPlanner` is raised if something of it cannot be."""
 
     name: str  #: What it is called on the command line and in the names of files
     about: str  #: What it is, in a sentence without a full stop

@@ -20,6 +20,7 @@ from neurosym.choices import admit, is_factory, load_factory, one_line, told
 from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice, shortened
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import check_on_table
+from neurosym.pddl.problem_check import why_no_relation
 from neurosym.pddl.syntax import NUMERIC, SAS, STRIPS, EncodingName
 from neurosym.planners.action_counts import plan_counting
 from neurosym.planners.bfs import (
@@ -57,7 +58,6 @@ from neurosym.planners.planner import (
     say_nothing,
 )
 from neurosym.problems import NEAR_TABLE, Problem
-from neurosym.tasks.pair_goals import why_no_relation
 from neurosym.tasks.task import is_reached, is_relational, relations_of, understand
 from neurosym.tasks.transition import PlanStep, validate
 
@@ -94,10 +94,7 @@ def _called(name: str, about: str, program: Program, *, numbers: bool = False) -
 
 
 def _breadth_first(query: Query, *, foresees: bool) -> PlanResult:
-    """Search over what the network predicts, or where there is none, over what the operators promise.
-
-    Among relations, what a network foresees of each pair counts, or what rehearsals showed for its kind.
-    """
+    """Search over what the network predicts, or where there is none, over what the operators promise."""
     problem, grounding = query.problem, query.grounding
     if is_relational(problem, grounding):
         if is_reached(problem, grounding):
@@ -244,12 +241,10 @@ def plan(
             raise InvalidValue(f"time_limit = {time_limit} s must be above 0 s.")
     if work is not None:
         check_kind("work", work, int, "a number of states")
-    for name, given, valid in (
-        ("tell", tell, "a function of a text"),
-        ("predict", predict, "a function from features (M, F) to effects (M, P, 3)"),
-    ):
-        if given is not None:
-            check_callable(name, given, valid)
+    if tell is not None:
+        check_callable("tell", tell, "a function of a text")
+    if predict is not None:
+        check_callable("predict", predict, "a function from features (M, F) to effects (M, P, 3)")
     chosen = planner_named(planner) if isinstance(planner, str) else planner
     _check_planner(chosen, "given")
     check_options(chosen, encoding=encoding, whole=whole, costs=costs)
@@ -277,15 +272,9 @@ def plan(
 
 
 def planner_named(name: str, domain_folder: Path | None = None) -> Planner:
-    """Return a planner by its name.
+    """Return one of `PLANNERS` by its name, or what `module:factory` returns, if that is a planner.
 
-    Args:
-        name: One of `PLANNERS`, or `module:factory` for what returns one.
-        domain_folder: Where a domain lies, which must not bring code of its own; if there is one.
-
-    Raises:
-        UnknownChoice: If there is no such planner.
-        InvalidPlanner: If somebody's own is not found, cannot be made, or is no `Planner`.
+    Where a domain lies, if that is given, there must not be code for it.
     """
     if not is_factory(name):
         if name not in PLANNERS:
@@ -318,11 +307,7 @@ def register_planner(planner: Planner) -> None:
 
 
 def check_options(planner: Planner, *, encoding: EncodingName | None, whole: bool, costs: bool) -> None:
-    """Refuse options that a planner does not take.
-
-    Raises:
-        InvalidValue: If it does not take the encoding or an option.
-    """
+    """Raise `InvalidValue` if a planner does not take the encoding or an option."""
     asked: dict[Option, bool] = {"encoding": encoding is not None, "whole": whole, "unit-costs": not costs}
     for option, is_asked in asked.items():
         if is_asked and option not in planner.takes:
@@ -333,11 +318,7 @@ def check_options(planner: Planner, *, encoding: EncodingName | None, whole: boo
 
 
 def solve_checked(planner: Planner, query: Query) -> PlanResult:
-    """Ask somebody's own planner, and believe of what it returns only what comes true.
-
-    Raises:
-        InvalidPlanner: If it raises an error, or returns no `PlanResult`.
-    """
+    """Ask somebody's own planner, and believe of what it returns only what comes true."""
     with _guarded(planner.name, "raises an error in solve", InvalidValue):
         solved = planner.solve(query)
     result = checked(planner.name, solved, PlanResult, "solve")
@@ -399,10 +380,7 @@ def _look_up(step: PlanStep, query: Query) -> None:
 
 
 def _check_relations(planner: Planner, query: Query) -> None:
-    """Refuse to ask a planner for relations that it, or the encoding, does not know.
-
-    Somebody's own may do with relations what they like.
-    """
+    """Refuse to ask one of our planners for relations that it, or the encoding, does not know."""
     problem = query.problem
     relations_of(query.grounding, problem)
     if query.encoding not in (None, STRIPS):

@@ -22,7 +22,7 @@ from neurosym.tasks.transition import PlanStep
 if TYPE_CHECKING:
     from unified_planning.model import FNode, Parameter, State
     from unified_planning.model import Problem as Task
-    from unified_planning.plans import Plan, SequentialPlan
+    from unified_planning.plans import Plan
 
 
 def to_unified_planning(
@@ -90,16 +90,7 @@ class PddlVerdict:
 
 
 def validate_pddl(domain: str, problem: str, actions: Sequence[Action]) -> PddlVerdict:
-    """Ask unified-planning's validator whether ground actions are a plan.
-
-    Args:
-        domain: The text of the domain.
-        problem: The text of the problem.
-        actions: The ground actions, in order.
-
-    Raises:
-        InvalidValue: If domain or problem is no PDDL that unified-planning reads.
-    """
+    """Ask the validator of unified-planning if actions are a plan by the texts of domain and problem."""
     known = parameters_of(domain)
     for number, (name, *arguments) in enumerate(actions, start=1):
         if name not in known:
@@ -137,25 +128,17 @@ def _verdict(task: "Task", actions: Sequence[Action]) -> PddlVerdict:
         steps.append(ActionInstance(task.action(name), tuple(objects)))
     with SequentialPlanValidator() as validator:
         validator.skip_checks = True  # it doubts what it knows: costs that are functions of objects
-        if validator.validate(task, plan := SequentialPlan(steps)):
-            return PddlVerdict(True)
-    return _why_not(task, plan)
-
-
-def _why_not(task: "Task", plan: "SequentialPlan") -> PddlVerdict:
-    """Say which action is the first that cannot be performed, or which goal is not met in the end."""
-    from unified_planning.engines import UPSequentialSimulator
-
-    with UPSequentialSimulator(task, error_on_failed_checks=False) as simulator:
-        state = simulator.get_initial_state()
-        for number, step in enumerate(plan.actions, start=1):
-            given = dict(zip(step.action.parameters, step.actual_parameters, strict=True))
-            if unmet := _unmet(task, state, step.action.preconditions, given):
-                return PddlVerdict(False, f"{unmet} does not hold", number)
-            if (then := simulator.apply(state, step)) is None:
-                return PddlVerdict(False, "its effects contradict each other", number)
-            state = then
+        found = validator.validate(task, SequentialPlan(steps))
+    if found:
+        return PddlVerdict(True)
+    number, state, step = len(found.trace), found.trace[-1], found.inapplicable_action
+    if step is None:
         return PddlVerdict(False, f"{_unmet(task, state, task.goals, {})} does not hold in the end")
+    given = dict(zip(step.action.parameters, step.actual_parameters, strict=True))
+    unmet = _unmet(task, state, step.action.preconditions, given)
+    return PddlVerdict(
+        False, f"{unmet} does not hold" if unmet else "its effects contradict each other", number
+    )
 
 
 def _unmet(

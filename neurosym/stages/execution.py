@@ -11,10 +11,9 @@ import msgspec
 from neurosym.checks import check_count, check_seed
 from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
-from neurosym.execution.performance import Watcher
+from neurosym.execution.performance import Agreement, Watcher, compare_runs, rerun
 from neurosym.execution.record import Run, StepRecord, this_machine
 from neurosym.execution.replanning import WORK_A_PLAN
-from neurosym.execution.rerun import Agreement, compare_runs, rerun
 from neurosym.files import digest, make_folder, read_json, write_json
 from neurosym.grounding import Grounding
 from neurosym.pddl.plan_reading import read_plan

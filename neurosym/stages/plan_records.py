@@ -17,8 +17,16 @@ from neurosym.planners.planner import PlanResult, PlanStatus
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PLAN, PLANS, plan_files, steps_file
-from neurosym.tasks.chances import expected_success, expected_within
-from neurosym.tasks.transition import PlanStep, Steps, named_steps, primitives, print_plan, validate
+from neurosym.tasks.transition import (
+    PlanStep,
+    Steps,
+    expected_success,
+    expected_within,
+    named_steps,
+    primitives,
+    print_plan,
+    validate,
+)
 
 MORE_MOTIONS = 2
 """How many motions more than a plan has primitives are told the chance of."""

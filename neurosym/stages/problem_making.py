@@ -16,13 +16,13 @@ from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Categorise
 from neurosym.pair_operators import LEAST_SHARE, PairStates, RelationOperators
 from neurosym.pddl.grid import check_on_table
+from neurosym.pddl.problem_check import check_relations, relations_meant
 from neurosym.problems import Problem, RelationGoal
 from neurosym.stages import layout
 from neurosym.stages.compilation import put_problem
 from neurosym.stages.folder import DomainFolder, Stage
 from neurosym.stages.planning import check_scene, remarks_on_number, tell_remarks
 from neurosym.tasks.options import puts_for
-from neurosym.tasks.pair_goals import check_relations, relations_meant
 from neurosym.tasks.supports import PairSight, with_pairs
 from neurosym.world import World
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, Way, Ways, draw_relation_task

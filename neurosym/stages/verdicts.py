@@ -30,9 +30,8 @@ from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN_FILES, GROUNDING, printed_file
 from neurosym.stages.planning import load_problem
-from neurosym.tasks.chances import expected_success
 from neurosym.tasks.task import understand
-from neurosym.tasks.transition import PlanStep, Steps, named_steps, validate
+from neurosym.tasks.transition import PlanStep, Steps, expected_success, named_steps, validate
 
 _Level = Literal["useless", "weak", "good", "unproven"]
 LEVELS: tuple[_Level, ...] = ("useless", "weak", "good", "unproven")

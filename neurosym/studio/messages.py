@@ -1,5 +1,6 @@
 """What a page and the process that works for it say, and who looks on there while something moves."""
 
+import math
 import time
 from collections.abc import Callable
 from multiprocessing.connection import Connection
@@ -11,9 +12,11 @@ import numpy as np
 from neurosym.contract import POSE_SECONDS, Pose, Posed
 from neurosym.execution.performance import STOP, Answer, Moment
 from neurosym.execution.record import Nudge, Replanning, Run, StepRecord
+from neurosym.operators import TOLERANCE, Vector, vector
 from neurosym.problems import Problem
+from neurosym.report.symbols import Promise
 from neurosym.stages.plan_records import PlanRecord
-from neurosym.world import Outcome, Scene, World
+from neurosym.world import Outcome, OutcomeKind, Scene, World
 
 
 class Controls(msgspec.Struct, frozen=True):
@@ -43,6 +46,33 @@ class Seen(msgspec.Struct, frozen=True, eq=False):
 
     pose: Pose
     step: int = 0
+
+
+class Tried(msgspec.Struct, frozen=True):
+    """How a motion turned out on an object."""
+
+    target: int  # which object of the scene
+    start: Vector  # where its centre was [m]
+    turn: tuple[float, ...]  # its orientation there (x, y, z, w)
+    kind: OutcomeKind  # how it ended
+    effect: Vector  # how far it had moved then, in the air if it is held [m]
+
+    @classmethod
+    def of(cls, outcome: Outcome) -> "Tried":
+        """Return what is kept of an outcome."""
+        row, effect = outcome.target, outcome.effect if outcome.held else outcome.resting_effect
+        start, turn = outcome.start.positions[row], outcome.start.orientations[row]
+        return cls(row, vector(start), tuple(turn.tolist()), outcome.kind, vector(effect))
+
+    @property
+    def end(self) -> Vector:
+        """Where its centre was in the end [m]."""
+        return vector(np.add(self.start, self.effect))
+
+    def keeps(self, promise: Promise) -> bool:
+        """Say whether it is as an operator promises."""
+        kind = promise.operator.promise.kind if promise.operator.promise else None
+        return self.kind == kind and math.dist(self.effect, promise.effect) <= TOLERANCE
 
 
 class Word(NamedTuple):
@@ -94,6 +124,7 @@ class Onlooker:
     ):
         self._send, self._controls, self._way, self._pace = send, controls, way, pace
         self._saw, self._step, self._last = False, 0, 0.0
+        self._unsent: Seen | None = None  # the last pose, if it came too soon after another
         self._due, self._sent = time.monotonic(), 0.0
         self._grabs: list[Grab] = []
 
@@ -111,9 +142,9 @@ class Onlooker:
         """Send a pose when it is time for it."""
         self._saw = True
         apart, self._last = max(0.0, pose.seconds - self._last), pose.seconds
+        self._unsent = Seen(pose, self._step)
         if time.monotonic() - self._sent >= self._pace:
-            self._sent = time.monotonic()
-            self._send(Seen(pose, self._step))
+            self._send_pose()
         self._listen()
         while self._controls.waits:
             self._listen(_PAUSED)
@@ -149,22 +180,28 @@ class Onlooker:
         self._send(record)
 
     def see_outcome(self, outcome: Outcome) -> None:
-        """Let the objects of an interaction glide, if the world told no poses of it."""
+        """Send how an interaction ended; its objects glide there if the world told no poses of it."""
         if not self._saw:
             self._glide(outcome.start, outcome.lifted)
-            self._glide(outcome.lifted, outcome.end)
+        self._send_pose()
+        self._send(Tried.of(outcome))
+
+    @property
+    def is_stopped(self) -> bool:
+        """Whether nothing more is wanted, by what was said until now."""
+        self._listen()
+        return self._controls.is_stopped
 
     def replanned(self, replanning: Replanning) -> None:
         """Send what was planned anew."""
         self._send(replanning)
 
-    def hold(self, seconds: float) -> None:
-        """Let what is seen stay for a while at the speed of the motion [s]; a pause does not count."""
-        while seconds > 0 and self._controls.speed > 0 and not self._controls.is_stopped:
-            controls, began = self._controls, time.monotonic()
-            self._listen(_PAUSED)
-            if not controls.waits:
-                seconds -= controls.speed * (time.monotonic() - began)
+    def _send_pose(self) -> None:
+        """Send the last pose, if it was not sent yet."""
+        if self._unsent:
+            self._sent = time.monotonic()
+            self._send(self._unsent)
+            self._unsent = None
 
     def _glide(self, start: Scene, end: Scene) -> None:
         """Let objects glide from where they are to where they end, in a world that tells no poses."""

@@ -13,11 +13,12 @@ from typing import Any, TypeVar
 import numpy as np
 import viser
 
-from neurosym.operators import Vector, vector
+from neurosym.operators import vector
 from neurosym.problems import Problem, SceneObject
 from neurosym.studio.desk import Topic
 from neurosym.studio.session import Session
-from neurosym.studio.view import Grab, Overlays, View, aim_camera
+from neurosym.studio.view import Grab, Overlays, View, aim_camera, over
+from neurosym.studio.words import three_numbers
 from neurosym.world import Scene
 
 _Field = TypeVar("_Field", bound=Any)
@@ -77,8 +78,8 @@ class Page:
 
     @property
     def item(self) -> SceneObject | None:
-        """The object that the panels are about, if there is any."""
-        problem = self.session.problem
+        """The object that the panels are about, if there is any, where it is by now."""
+        problem = self.session.running.as_it_stands()
         if problem is None:
             return None
         if self.selected not in problem.object_names:
@@ -102,7 +103,7 @@ class Page:
                 return
             key, eye = (kind, name), event.client.camera.position.tolist()
             if event.phase == "start":
-                centre = self.session.ghosts().get(name) if kind == "goal" else self._centre(problem, name)
+                centre = self.session.ghosts().get(name) if kind == "goal" else self.view.at(name)
                 if centre is not None:
                     self._grabs[key] = Grab(eye, event.start_position, centre), problem
                 self.select(name)
@@ -119,13 +120,6 @@ class Page:
                     self.session.drop_goal(name, before)
 
         return drag
-
-    def _centre(self, problem: Problem, name: str) -> Vector:
-        """Return where an object stands now [m], during a run, too."""
-        running = self.session.running
-        if running.moment and running.is_active:
-            return vector(running.moment.scene.positions[problem.object_names.index(name)])
-        return problem.object_named(name).position
 
     def _draw_all(self) -> None:
         while not self._is_closed:
@@ -152,6 +146,8 @@ class Page:
                 self.view.place(problem, session.ghosts(), session.complaints())
         if "run" in topics and running.scene is not None and running.is_active:
             self._show_scene(running.scene)
+        if topics & {"scene", "run", "step"}:
+            self._show_tries()
         if "pose" in topics and running.seen:
             self.drawn += 1
             self.view.show(running.seen.pose)
@@ -161,12 +157,35 @@ class Page:
     def _show_problem(self, problem: Problem) -> None:
         """Draw the table as it is set; after a run, as the run left it."""
         self._rested, running = None, self.session.running
-        self.view.show_problem(problem, self.session.ghosts(), self.session.complaints())
-        if running.seen and running.problem is problem:
+        if running.scene is not None:
+            self._show_scene(running.scene)
+        else:
+            self.view.show_problem(problem, self.session.ghosts(), self.session.complaints())
+        if running.seen:
             self.view.show(running.seen.pose)
         else:
             self.view.rest()
-            self._show_rest()
+        self._show_rest()
+
+    def _show_tries(self) -> None:
+        """Draw how motions turned out, until something else is done: a dot a try, or a ghost and an arrow."""
+        running, overlays = self.session.running, self.overlays
+        overlays.clear("effect")
+        self.view.clear_start()
+        overlays.clear("tries")
+        if not running.tries:
+            return
+        tried = running.tries[0]
+        features = self.view.items[tried.target].features
+        if promise := running.promise:
+            overlays.clear("rehearsals")
+            ends = [(over(one.end, features), one.keeps(promise)) for one in running.tries]
+            overlays.dots("tries", ends, 0.012)
+            said, effect = f"promised: {three_numbers(promise.effect)}", promise.effect
+        else:
+            self.view.show_start(tried)
+            said, effect = three_numbers(tried.effect), tried.effect
+        overlays.effect(over(tried.start, features), effect, said)
 
     def _show_scene(self, scene: Scene) -> None:
         """Draw the objects of a scene that is not the page's own."""
@@ -181,10 +200,11 @@ class Page:
 
     def _show_rest(self) -> None:
         """Put objects where they are between two steps, as after a nudge."""
-        moment = self.session.running.moment
-        if moment and moment.scene is not self._rested:
-            self._rested = moment.scene
-            self.view.show_bodies(moment.scene.positions, moment.scene.orientations)
+        running = self.session.running
+        scene, is_tried = running.here, bool(running.tries and running.seen)
+        if scene and scene is not self._rested and not is_tried:
+            self._rested = scene
+            self.view.show_bodies(scene.positions, scene.orientations)
 
 
 class Panel(ABC):

@@ -1,29 +1,27 @@
-"""The panels of a page: its head, `Table`, `Plan`, `Run` and `Symbols`; the panel `Tour` is in `tour`."""
+"""The panels of a page: its head, `Table`, `Plan` and `Run`; the others have modules of their own."""
 
+from collections.abc import Sequence
 from typing import Any, get_args
 
 import msgspec
 import numpy as np
 
-from neurosym.checks import Float
 from neurosym.choices import DrawnTask, TaskKind
 from neurosym.contract import limits_of
 from neurosym.errors import counted
-from neurosym.pddl.strips import page
 from neurosym.pddl.strips_plan import action_for
 from neurosym.planners.planner import PlanStatus
 from neurosym.problems import Problem, RelationGoal
-from neurosym.report.symbols import Promise, displacement_in_words, promises_for
 from neurosym.studio import words
 from neurosym.studio.desk import MOST_OBJECTS, Topic
-from neurosym.studio.messages import Planned
 from neurosym.studio.page import Panel, heard, set_content, set_options, set_value
-from neurosym.studio.session import planners_here
-from neurosym.studio.view import COLOURS
-from neurosym.tasks.transition import PlanStep, validate
+from neurosym.studio.plan_words import Line, lanes, lines_of, pddl_page, plan_list
+from neurosym.studio.session import placed, planners_here
+from neurosym.studio.view import Leg
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import PlanStep, Steps, validate
 
 NOTHING = "(none)"
-_PDDL = "font-size:11px;line-height:1.35;white-space:pre-wrap;max-height:260px;overflow:auto;margin:4px 0"
 
 
 class AboutPanel(Panel):
@@ -32,6 +30,7 @@ class AboutPanel(Panel):
     def build(self) -> None:
         """Make it."""
         self._said = self.gui.add_html("")
+        self._back = self.button("Back to my table", self.session.reset, disabled=True)
         heard(self.gui.add_checkbox("Dark", False), self.page.set_dark)
 
     def refresh(self, topics: set[Topic]) -> None:
@@ -39,6 +38,7 @@ class AboutPanel(Panel):
         if not topics - {"pose"}:
             return
         session, word = self.session, self.session.word
+        self._back.disabled = not session.running.has_ended
         name = session.problem.name if session.problem else "no object yet"
         lines = [words.paragraph(f"· {name}", head=session.library.name)]
         if word.text:
@@ -206,17 +206,18 @@ class PlanPanel(Panel):
     def build(self) -> None:
         """Make the fields."""
         gui, session = self.gui, self.session
-        self._drawn: Planned | None = None
         self._planner = gui.add_dropdown("Planner", planners_here())
         self._go = self.button("Plan", lambda: session.plan(self._planner.value), color="green")
         self._stop = self.button("Stop planning", session.stop_planning, disabled=True)
-        self._text = gui.add_html("")
-        self._choose = heard(gui.add_dropdown("Show and run", (NOTHING,), visible=False), session.choose)
         self._accept = self.button(
             "Accept the nearest goals", session.accept_nearest, visible=False, color="orange"
         )
-        with gui.add_folder("PDDL of the step at hand", expand_by_default=False):
-            self._step = heard(gui.add_slider("Step", 1, 2, 1, 1), lambda _: self._show_pddl())
+        self._choose = heard(gui.add_dropdown("Show and run", (NOTHING,), visible=False), session.choose)
+        self._text = gui.add_html("")
+        self._steps = gui.add_button_group("Show step", ("1",), visible=False)
+        self._steps.on_click(lambda event: self._pick(int(event.target.value)))
+        self._at = 1  # the step that is shown, from 1
+        with gui.add_folder("The page of PDDL", expand_by_default=False):
             self._pddl = gui.add_html("")
 
     def refresh(self, topics: set[Topic]) -> None:
@@ -225,57 +226,94 @@ class PlanPanel(Panel):
         if topics & {"status", "plan"}:
             self._go.disabled = bool(session.planning) or session.is_running
             self._stop.disabled = not session.planning
-        if topics & {"plan", "scene"}:
-            self._choose.visible = len(session.plans) > 1
-            if session.plans:
-                set_options(self._choose, tuple(session.plans), session.chosen)
-            self._accept.visible = chosen is not None and chosen.record.status is PlanStatus.NEAREST
-            steps = len(chosen.record.steps) if chosen else 0
-            self._step.max, self._step.disabled = max(2, steps), steps < 2
-            self._show_pddl()
-        if topics & {"plan", "scene", "step", "run"}:
-            set_content(self._text, self.text())
-            self._draw_paths()
+        if not topics & {"plan", "scene", "step", "run"}:
+            return
+        self._choose.visible = len(session.plans) > 1
+        if session.plans:
+            set_options(self._choose, tuple(session.plans), session.chosen)
+        self._accept.visible = chosen is not None and chosen.record.status is PlanStatus.NEAREST
+        if (moment := session.running.moment) and session.is_running:
+            self._at = moment.number
+        plans = self._plans()
+        lines = plans.get(session.chosen, ())
+        self._at = max(1, min(self._at, len(lines)))
+        numbers = tuple(str(number) for number in range(1, len(lines) + 1))
+        self._steps.visible = len(lines) > 1
+        if numbers and self._steps.options != numbers:
+            self._steps.options = numbers
+        set_content(self._text, self.text())
+        self._show_pddl(lines)
+        self._draw_paths()
 
     def text(self) -> str:
-        """Return what the planners found, as HTML; the chosen plan in full."""
-        session = self.session
-        problem, moment, chosen = session.problem, session.running.moment, session.plan_shown
-        if problem is None or not session.plans:
+        """Return what the planners found, as HTML: the chosen plan, or all side by side."""
+        session, plans = self.session, self._plans()
+        if session.problem is None or not session.plans:
             return ""
+        palette, at = self.page.view.palette, None if session.running.replannings else self._at - 1
         parts = [words.plan_summary(one.record) for one in session.plans.values()]
-        if chosen is not None and chosen.record.steps:
-            follows = session.is_running and not session.running.replannings
-            at = moment.number - 1 if moment and follows else None
-            parts.append(words.plan_table(chosen.record, session.paired(), session.library.grounding, at))
+        if len(plans) > 1:
+            parts.append(lanes(plans, palette, session.chosen, at))
+        else:
+            parts += [plan_list(lines, palette, at) for lines in plans.values()]
         return "".join(parts)
 
-    def _show_pddl(self) -> None:
-        """Show the action on the page of PDDL that a step is an instance of."""
-        chosen, grounding = self.session.plan_shown, self.session.library.grounding
-        said = ""
-        if chosen is not None and (steps := chosen.record.steps):
-            name = steps[min(int(self._step.value), len(steps)) - 1][0]
-            action = page(grounding).action(action_for(name, grounding))
-            text = words.safe(action.text(costs=True))
-            said = f'<pre tabindex="0" aria-label="PDDL" style="{_PDDL}">{text}</pre>'
+    def _plans(self) -> dict[str, tuple[Line, ...]]:
+        """Return the plans that were found, line by line, by planner."""
+        if not self.session.plans:
+            return {}
+        task, found = self.session.task(), self.session.plans.items()
+        every = {name: _steps_of(planned.record.steps) for name, planned in found}
+        return {name: lines_of(steps, task) for name, steps in every.items() if steps}
+
+    def _pick(self, number: int) -> None:
+        """Show another step of the plan, as soon as the page is drawn."""
+        self._at = number
+        self.page.hear("plan")
+
+    def _show_pddl(self, lines: Sequence[Line]) -> None:
+        """Show the page of PDDL, with the action marked that the step at hand is an instance of."""
+        chosen, said = self.session.plan_shown, ""
+        if chosen is not None and lines:
+            line, grounding = lines[self._at - 1], self.session.library.grounding
+            done = self.session.steps_in_pddl()[line.first : line.first + len(line.steps)]
+            name = done[0][1:].split()[0] if done else action_for(line.steps[0].operator, grounding)
+            said = pddl_page(grounding, name, " ".join(done), f"step {self._at}: {line.said}")
         set_content(self._pddl, said)
 
     def _draw_paths(self) -> None:
-        """Draw where the plan takes everything, while that is what is done or is to be done."""
-        session, chosen, running = self.session, self.session.plan_shown, self.session.running
-        is_other = running.is_active and (running.problem is None or bool(running.replannings))
-        if chosen is None or not chosen.record.steps or is_other or running.run is not None:
-            chosen = None
-        if chosen is self._drawn:
-            return
-        self._drawn = chosen
-        if chosen is None:
+        """Draw where the plan, or what is left of it, takes everything from where it is."""
+        session, running = self.session, self.session.running
+        chosen, moment, first = session.plan_shown, running.moment, 1
+        if chosen is None or running.has_ended or (running.is_active and not running.problem):
             self.page.overlays.clear("paths")
             return
-        steps = [PlanStep(*step) for step in chosen.record.steps]
-        found = validate(steps, session.paired(), session.library.grounding)
-        self.page.overlays.paths(found.positions, COLOURS)
+        steps, problem = _steps_of(chosen.record.steps), session.paired()
+        if running.is_active and moment:
+            steps, problem, first = moment.left, placed(problem, moment.scene), moment.number
+        self.page.overlays.paths(self._legs(steps, problem, first))
+
+    def _legs(self, steps: Sequence[PlanStep], problem: Problem, first: int) -> list[Leg]:
+        """Return what each step of a plan does to each object; the first has a number."""
+        grounding, legs = self.session.library.grounding, list[Leg]()
+        task, ways = understand(problem, grounding), validate(steps, problem, grounding).positions
+        for number, line in enumerate(lines_of(steps, task), start=first):
+            until = min(line.first + len(line.steps), len(ways) - 1)
+            for row, item in enumerate(problem.objects):
+                ends, is_own = ways[[min(line.first, until), until], row], item.name == line.steps[0].object
+                if np.linalg.norm(ends[1] - ends[0]) > _LEAST:
+                    is_at = number == self._at
+                    short = f"{number}: {line.said.partition(',')[0]}"
+                    said = (short if is_at else str(number)) * is_own
+                    legs.append(Leg(ends, self.page.view.palette(item.category), said, is_at))
+        return legs
+
+
+_LEAST = 1e-4  # displacements below this are none [m]
+
+
+def _steps_of(named: Steps) -> tuple[PlanStep, ...]:
+    return tuple(PlanStep(*parts) for parts in named)
 
 
 _SPEEDS = {"half": 0.5, "as it is": 1.0, "double": 2.0, "fourfold": 4.0, "at once": 0.0}
@@ -325,9 +363,8 @@ class RunPanel(Panel):
         if running.run is not None:
             parts.insert(0, words.run_summary(running.run))
         elif running.is_active and moment and moment.left:
-            step = moment.left[0]
-            told = " ".join(filter(None, (step.operator, step.object, step.place)))
-            parts.insert(0, words.paragraph(f"step {moment.number}: {told}"))
+            line = lines_of(moment.left[:2], self.session.task())[0]
+            parts.insert(0, words.paragraph(f"step {moment.number}: {line.said}"))
         if running.records:
             parts.append(words.run_table(running.records))
         return "".join(parts)
@@ -337,124 +374,3 @@ class RunPanel(Panel):
 
     def _toggle(self) -> None:
         self.session.running.steer(is_paused=not self.session.running.controls.is_paused)
-
-
-_OVER = 0.05  # how far above its object an arrow begins, so that nothing hides it [m]
-_KEPT, _OTHERWISE = (42, 157, 92), (217, 83, 79)
-"""Colours of rehearsals that ended as promised, and otherwise."""
-
-
-class SymbolsPanel(Panel):
-    """Bits are on the panel `Table`, beside the sizes that decide them; here is what they lead to."""
-
-    def build(self) -> None:
-        """Make the fields."""
-        gui = self.gui
-        self._promises: tuple[Promise, ...] = ()
-        self._action: Float[np.ndarray, "A"] = np.zeros(0)
-        self._arrows = gui.add_checkbox("Arrows: where operators take it", False)
-        heard(self._arrows, lambda _: self._show_arrows())
-        self._operator = gui.add_dropdown("Operator", (NOTHING,), hint="Shows its waypoints and rehearsals.")
-        heard(self._operator, self._choose)
-        self._said = gui.add_html("")
-        self._expected = gui.add_html("")
-        self._try = self.button("Try this motion", self.perform, visible=False)
-        with gui.add_folder("All that was explored", expand_by_default=False):
-            row = gui.add_number("Interaction", 0, min=0, step=1)
-            self.button("See it happen", lambda: self.session.running.recall(int(row.value)))
-        self._table = gui.add_html("")
-
-    def refresh(self, topics: set[Topic]) -> None:
-        """Show what operators do to the object that is chosen."""
-        item = self.page.item
-        if item is None or not topics & {"scene", "place"} or self.session.is_running:
-            return
-        if "scene" in topics:
-            self._promises = promises_for(item, self.session.library.grounding)
-            names = (NOTHING, *(one.operator.name for one in self._promises))
-            if self._operator.options != names:
-                set_options(self._operator, names, NOTHING)
-                self._choose(NOTHING)
-            set_content(self._table, self.text())
-        self._show_arrows()
-        if self._operator.value != NOTHING:
-            self._draw_motion()
-
-    def text(self) -> str:
-        """Return what the operators promise for the object, as HTML."""
-        rows = [
-            (
-                str(number),
-                words.twofold(one.operator.name, displacement_in_words(one.effect)),
-                f"<code>{words.safe(one.operator.primitive)}</code>",
-                f"{one.chance:.0%}",
-            )
-            for number, one in enumerate(self._promises, start=1)
-        ]
-        head = words.paragraph(f"What can be done to {self.page.selected}:")
-        return head + words.table(("", "operator", "bits", "chance"), rows, label="operators") if rows else ""
-
-    def perform(self) -> None:
-        """Try the motion as it is drawn."""
-        self.session.running.perform(self.page.selected, tuple(map(float, self._action)))
-
-    def _show_arrows(self) -> None:
-        item = self.page.item
-        if not self._arrows.value or item is None:
-            self.page.overlays.clear("arrows")
-            return
-        x, y, z = item.position
-        start = (x, y, z + item.features[2] / 2 + _OVER)
-        self.page.overlays.arrows(start, [(one.effect, one.lifts) for one in self._promises])
-
-    def _choose(self, name: str) -> None:
-        """Take over the waypoints of an operator, and show as dots where its rehearsals ended."""
-        grounding, item, overlays = self.session.library.grounding, self.page.item, self.page.overlays
-        promise = next((one for one in self._promises if one.operator.name == name), None)
-        self._try.visible = promise is not None and item is not None
-        if promise is None or item is None:
-            overlays.clear("waypoints")
-            overlays.clear("dots")
-            set_content(self._said, "")
-            set_content(self._expected, "")
-            return
-        self._action = np.array(grounding.primitive_of(promise.operator).action)
-        learned = grounding.operator_named(name)
-        kind = learned.promise.kind if learned.promise else None
-        points = np.array([np.add(item.position, one.outcome) for one in learned.rehearsals])
-        colours = np.array([_KEPT if one.kind == kind else _OTHERWISE for one in learned.rehearsals])
-        overlays.dots(points, colours)
-        kept = f"{len(points)} rehearsals as dots: green as promised, red otherwise" if len(points) else ""
-        bits = f"{item.category} · {promise.operator.primitive}"
-        moves = displacement_in_words(promise.effect)
-        set_content(
-            self._said,
-            words.paragraph(f"promises {moves}. {kept}", head=bits),
-        )
-        self._draw_motion(anew=True)
-
-    def _draw_motion(self, *, anew: bool = False) -> None:
-        """Draw the waypoints of a hand, and say what the network expects of them."""
-        item = self.page.item
-        if item is None or len(self._action) != 12:
-            return
-        points = self._action.reshape(3, 4)[:, :3] + np.array(item.position)
-        if anew:
-            self.page.overlays.waypoints(points, self._dragged)
-        else:
-            self.page.overlays.follow(points)
-        said = ""
-        if expected := self.session.library.expect(item.features, self._action):
-            symbol, bits, direct = expected[0], *map(displacement_in_words, expected[1:])
-            told = f"This motion has the symbol {symbol}. By the bits the network expects: {bits}."
-            said = words.paragraph(told) + words.paragraph(f"Before the bits: {direct}.", words.DIM)
-        set_content(self._expected, said)
-
-    def _dragged(self, number: int, at: tuple[float, float, float]) -> None:
-        """Put a waypoint somewhere [m], as far as the box of actions reaches from the object."""
-        if (item := self.page.item) is not None:
-            box, columns = self.session.library.world.action_box, slice(4 * number, 4 * number + 3)
-            spot = np.subtract(at, item.position)
-            self._action = self._action.copy()
-            self._action[columns] = np.clip(spot, box.low[columns], box.high[columns])
-            self._draw_motion()

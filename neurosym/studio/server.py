@@ -26,9 +26,10 @@ from neurosym.errors import CannotStart, InvalidValue, NeurosymError, harmless
 from neurosym.problems import Problem
 from neurosym.studio.library import Library
 from neurosym.studio.page import Page
-from neurosym.studio.panels import AboutPanel, PlanPanel, RunPanel, SymbolsPanel, TablePanel
+from neurosym.studio.panels import AboutPanel, PlanPanel, RunPanel, TablePanel
 from neurosym.studio.session import Session
 from neurosym.studio.studio_workers import Workers
+from neurosym.studio.symbols_panel import SymbolsPanel
 from neurosym.studio.tour import TourPanel
 
 _PAGE = "/page/"  # what the path of a page begins with

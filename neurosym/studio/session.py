@@ -17,19 +17,21 @@ from neurosym.choices import AnyTask
 from neurosym.errors import InvalidValue, counted
 from neurosym.execution.performance import Moment
 from neurosym.execution.record import Replanning, Run, StepRecord
-from neurosym.files import decode_json
+from neurosym.files import decode_json, read_text
 from neurosym.operators import vector
 from neurosym.planners.planner import PlanStatus
 from neurosym.planners.registry import PLANNERS
 from neurosym.problems import Problem
+from neurosym.report.symbols import Promise, promises_for
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import INTERACTIONS, PLANS, PROBLEMS, RUNS
+from neurosym.stages.layout import INTERACTIONS, PLAN, PLANS, PROBLEMS, RUNS
 from neurosym.stages.planning import check_scene
 from neurosym.stages.problem_making import scene_stage
 from neurosym.studio import studio_workers as work
 from neurosym.studio.desk import MOST_OBJECTS, Desk, Topic, at_rest, told
 from neurosym.studio.library import Library
-from neurosym.studio.messages import Controls, Grab, Planned, Ran, Seen, Word
+from neurosym.studio.messages import Controls, Grab, Planned, Ran, Seen, Tried, Word
+from neurosym.studio.plan_words import STEPS
 from neurosym.studio.studio_workers import Ticket, Workers
 from neurosym.tasks.task import is_relational
 from neurosym.tasks.transition import PlanStep, validate
@@ -57,6 +59,16 @@ def furnished_room(folder: DomainFolder) -> Path:
         elif source.name not in _LEFT_OUT and not source.name.startswith("."):
             (room / source.name).symlink_to(source.resolve())
     return room
+
+
+def placed(problem: Problem, scene: Scene) -> Problem:
+    """Return a problem whose objects are where those of a scene are."""
+    places = zip(problem.objects, scene.positions.tolist(), scene.orientations.tolist(), strict=False)
+    items = tuple(
+        msgspec.structs.replace(item, position=tuple(at), orientation=tuple(turn))
+        for item, at, turn in places
+    )
+    return msgspec.structs.replace(problem, objects=items)
 
 
 class Session(Desk):
@@ -142,8 +154,7 @@ class Session(Desk):
         problem = self._problem()
         if not (problem.goals or problem.related):
             raise InvalidValue("No object has a goal; give one a goal, and plan then.")
-        if self.running.run is None:  # what was only tried is not where things stand
-            self._clear_run()
+        self._clear_run()  # plans begin where the table is set, and so it is seen
         nearest = not is_relational(problem, self.library.grounding)  # of relations nothing is near
         self._hand_in(f"{planner} is planning", self._take, work.plan, problem, planner, nearest)
 
@@ -184,6 +195,15 @@ class Session(Desk):
         if ticket := self.planning:
             ticket.stop()
 
+    def steps_in_pddl(self) -> tuple[str, ...]:
+        """Return the steps of the plan that is shown as its file has them, if that is a plan of the page."""
+        planned = self.plan_shown
+        if planned is None or not planned.plan_file.endswith(PLAN):
+            return ()
+        lines = read_text(self.room / planned.plan_file).splitlines()
+        steps = tuple(line for line in lines if line.startswith("(") and line[1:].split()[0] in STEPS)
+        return steps if len(steps) == len(planned.record.steps) else ()
+
     def choose(self, planner: str) -> None:
         """Show the plan of one of the planners that were asked."""
         if planner in self.plans:
@@ -202,8 +222,21 @@ class Session(Desk):
         self._change(msgspec.structs.replace(problem, goals=goals, provenance="by hand"), "scene")
         self.plan(planned.record.planner)
 
+    @at_rest
+    def reset(self) -> None:
+        """Show the table as it is set, and no longer what came of a run or of a try."""
+        self._clear_run()
+
+    def promises(self, name: str) -> tuple[Promise, ...]:
+        """List what the operators promise for an object, the surest first."""
+        return promises_for(self._problem().object_named(name), self.library.grounding)
+
+    def unsure(self, name: str) -> Promise | None:
+        """Return what an operator promises for an object of which it is least sure whether it happens."""
+        return min(self.promises(name), key=lambda one: abs(one.chance - 0.5), default=None)
+
     def _clear_run(self) -> None:
-        if self.running.seen or self.running.run:
+        if self.running.has_ended:
             self.running.clear()
             self.tell("run")
 
@@ -236,11 +269,29 @@ class Running:
         self.run: Run | None = None  # its record, once it is over
         self.seen: Seen | None = None  # the last pose
         self.scene: Scene | None = None  # where something of the data happens again
+        self.tries: list[Tried] = []  # how motions turned out
+        self._left: Scene | None = None  # where a run left everything, before motions were tried
+        self.promise: Promise | None = None  # what all of them are compared with, if they are many
 
     @property
     def is_active(self) -> bool:
         """Whether something runs, or waits in line."""
         return self.ticket is not None
+
+    @property
+    def here(self) -> Scene | None:
+        """Where everything on the table is by a run, at rest; None if it is as it was set."""
+        return self.moment.scene if self.moment else self._left
+
+    @property
+    def has_ended(self) -> bool:
+        """Whether the table is not as it is set, since something ran or was tried there."""
+        return not self.is_active and bool(self.seen or self.run or self.tries)
+
+    def as_it_stands(self) -> Problem | None:
+        """Return what is on the table where a run has it by now; what is only tried leaves nothing."""
+        problem = self._session.problem
+        return placed(problem, self.here) if problem and self.here else problem
 
     def begin(self, replans: int | None = None) -> None:
         """Run the plan that is shown; with replans = 0 it is followed blindly."""
@@ -263,9 +314,37 @@ class Running:
             self._submit(f"replaying {name}", session.problem, work.replay, name)
 
     def perform(self, name: str, action: tuple[float, ...]) -> None:
-        """Try an action on an object as it stands on the table; the table is as before afterwards."""
-        if problem := self._session.problem:
-            self._submit(f"trying a motion on {name}", problem, work.perform, problem, name, action)
+        """Try an action on an object as it stands; how that ends is seen until the table is `reset`."""
+        if problem := self.as_it_stands():
+            self._submit(
+                f"trying a motion on {name}",
+                self._session.problem,
+                work.perform,
+                problem,
+                name,
+                action,
+                left=self.here,
+            )
+
+    def try_ten(self, name: str, operator: str) -> None:
+        """Try an operator on an object `TRIES` times, each from a start a few millimetres beside the last."""
+        problem, session = self.as_it_stands(), self._session
+        promise = next((one for one in session.promises(name) if one.operator.name == operator), None)
+        if problem is None or promise is None:
+            session.say(f"{operator} promises nothing for {name}.", is_bad=True)
+            return
+        action = session.library.grounding.primitive_of(promise.operator).action
+        given = session.problem, work.try_often, problem, name, action
+        self._submit(
+            f"trying {operator} on {name} {work.TRIES} times", *given, promise=promise, left=self.here
+        )
+
+    def tally(self) -> str:
+        """Say how many tries went as promised, if they are compared with a promise."""
+        if self.promise is None:
+            return ""
+        kept = sum(one.keeps(self.promise) for one in self.tries)
+        return f"{kept} of {len(self.tries)} as promised; promised {self.promise.chance:.0%}"
 
     def recall(self, row: int) -> None:
         """Make an interaction of the domain's data happen again, by its number, counted from 0."""
@@ -296,13 +375,21 @@ class Running:
         self.ticket.say(grab)
         self._session.say(f"{grab.object} is moved before the next step")
 
-    def _submit(self, what: str, problem: Problem | None, do: Callable[..., Any], *given: Any) -> None:
+    def _submit(
+        self,
+        what: str,
+        problem: Problem | None,
+        do: Callable[..., Any],
+        *given: Any,
+        promise: Promise | None = None,
+        left: Scene | None = None,
+    ) -> None:
         with self._lock:
             if self.is_active:
                 self._session.say("Something runs already; stop it first.", is_bad=True)
                 return
             self.clear()
-            self.problem = problem
+            self.problem, self.promise, self._left = problem, promise, left
             self.controls = msgspec.structs.replace(self.controls, is_stopped=False)
             self.ticket = self._workers.submit(self._hear, do, self._session.room, *given, self.controls)
         self._session.say(what)
@@ -322,6 +409,9 @@ class Running:
         elif isinstance(said, Replanning):
             self.replannings.append(said)
             self._session.say(_replanned(said))
+        elif isinstance(said, Tried):
+            self.tries.append(said)
+            self._session.tell("step")
         elif isinstance(said, Scene):
             self.scene = said
             self._session.tell("run")
@@ -335,7 +425,8 @@ class Running:
             if isinstance(said, Ran):
                 self.run, self.records = said.run, list(said.run.steps)
             self.ticket = None
-        self._session.say(*(_ran(said) if isinstance(said, Ran) else said))
+        word = _ran(said) if isinstance(said, Ran) else said if said.text else Word(self.tally())
+        self._session.say(*word)
         self._session.tell("run")
 
 

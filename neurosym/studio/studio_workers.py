@@ -27,8 +27,8 @@ from neurosym.stages.layout import RECORD, RUNS, WORLD, plan_files, scene_file
 from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage, scene_stage
-from neurosym.studio.messages import Controls, Onlooker, Planned, Ran, Word
-from neurosym.world import Outcome
+from neurosym.studio.messages import Controls, Onlooker, Planned, Ran, Tried, Word
+from neurosym.world import Outcome, Scene
 from neurosym.worlds.processes import Child, ChildEnded, parent
 from neurosym.worlds.world_file import read_world
 
@@ -159,7 +159,9 @@ class Workers:
             self._begin()
 
 
-_HOLD = 3.0  # so long is the end of an interaction shown before the table is there again [s]
+TRIES = 10
+"""How often a motion is tried in a row, each time from another start."""
+_SHIFT = 0.004  # how far such a start is from where the object stands at most, along x and y [m]
 _SETTING = "setting.json"  # where a page keeps the scene that it takes over, in its folder
 
 
@@ -214,9 +216,26 @@ def perform(
     """Perform an action on an object of a scene."""
     world, onlooker = read_world(folder.require(WORLD))(), _onlooker(controls)
     onlooker.look_at(world)
-    outcome = world.interact(problem.scene(), np.array(action), problem.object_names.index(name))
+    target = problem.object_names.index(name)
+    outcome = world.interact(problem.scene(), np.array(action), target, put_down=False)
     onlooker.see_outcome(outcome)
     return _performed(outcome)
+
+
+def try_often(
+    folder: DomainFolder, problem: Problem, name: str, action: tuple[float, ...], controls: Controls
+) -> Word:
+    """Perform an action on an object `TRIES` times, from starts beside it, always the same; say nothing."""
+    world, onlooker = read_world(folder.require(WORLD))(), _onlooker(controls)
+    target, scene = problem.object_names.index(name), problem.scene()
+    for number in range(TRIES):
+        if onlooker.is_stopped:
+            break
+        positions = scene.positions.copy()
+        positions[target, :2] += np.random.default_rng([TRIES, number]).uniform(-_SHIFT, _SHIFT, 2)
+        moved = Scene(scene.features, positions, scene.orientations)
+        parent().send(Tried.of(world.interact(moved, np.array(action), target)))
+    return Word()
 
 
 def recall(folder: DomainFolder, data: Path, row: int, controls: Controls) -> Word:
@@ -226,9 +245,8 @@ def recall(folder: DomainFolder, data: Path, row: int, controls: Controls) -> Wo
     motion, is_same = recall_interaction(world, interactions, row)
     parent().send(motion.scene)
     onlooker.look_at(world)
-    outcome = motion.perform(world)
+    outcome = world.interact(motion.scene, motion.action, 0, put_down=False)
     onlooker.see_outcome(outcome)
-    onlooker.hold(_HOLD)
     return _performed(outcome, judge(interactions, row, outcome, is_same))
 
 

@@ -49,7 +49,7 @@ CARDS = (
         (
             "The robot begins without words. It moves its hand through three points near an object, opens "
             "or closes it at each, and looks what happens. It did so {interactions} times. Press the button "
-            "to see one of them happen again; then your table is back.",
+            "to see one of them happen again; Back to my table ends that.",
             "Of each experience three numbers are kept: how far the object moved forward, to the left and "
             "up. That is the effect. It stands above the panels when the motion is over.",
         ),

@@ -4,9 +4,8 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from itertools import cycle
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import trimesh
@@ -14,35 +13,46 @@ import viser
 from scipy.spatial.transform import Rotation
 
 from neurosym.checks import Float
+from neurosym.colours import Colour, Palette
 from neurosym.contract import Part, Pose, Posed
 from neurosym.execution.record import StepRecord
 from neurosym.operators import Vector, vector
 from neurosym.problems import Problem, SceneObject
+from neurosym.report.symbols import Promise
 from neurosym.studio.library import Library
-from neurosym.studio.messages import Seen
+from neurosym.studio.messages import Seen, Tried
 from neurosym.studio.scene_editor import ghost_spots
+from neurosym.studio.words import plain_name, step_in_words
 from neurosym.tasks.task import understand
 
 _Numbers = Sequence[float] | Float[np.ndarray, "N"]
-Colour = tuple[int, int, int]
-"""Red, green and blue, 0 to 255."""
-COLOURS: tuple[Colour, ...] = (
-    (66, 135, 209), (92, 178, 92), (204, 84, 92), (148, 107, 191),
-    (237, 191, 61), (89, 186, 191), (140, 102, 77), (115, 120, 128),
-)  # fmt: skip
-"""Blue, green, red, purple, yellow, turquoise, brown, grey: as in pictures, one for each object."""
 _TABLE, _BORDER, _ARM, _BAD = (178, 160, 136), (110, 94, 74), (199, 204, 212), (220, 50, 47)
 _WAYPOINTS, _WAY = ((62, 117, 196), (68, 158, 88), (201, 72, 76)), (90, 90, 90)
 """Blue the first, green the second, red the third, as in pictures; and the lines between them."""
-_PUSH, _LIFT = (245, 166, 35), (123, 97, 255)
+_INK, _PALE, _MISSED = (38, 42, 50), (200, 195, 188), (250, 250, 250)
+"""Of what is no object: arrows, the fainter the less likely, and tries; those that went otherwise."""
+_THIN, _THICK = 0.0018, 0.004  # radius of the arrow of an operator that moves, and of one that lifts [m]
 _OVER, _FLAT = 0.004, 0.0015  # how far above the table paths and outlines are drawn [m]
 _KNOB, _PIN = 0.014, 0.07  # radius of what a goal is dragged by, and how far above the goal's top it is [m]
-_ABOVE, _ABOVE_MOVING, LABEL = 0.03, 0.09, (0.16, 0.035)
+_ABOVE, _ABOVE_MOVING, LABEL = 0.03, 0.09, (0.26, 0.035)
 """How far a label stands above its object's top at least, and above the centre of one that moves; about its
 width and height as seen from the front [m]."""
 _EYE, _LOOK, _LENS = (1.15, 0.0, 1.05), (-0.08, 0.0, 0.08), 0.72
 """Where the camera is and looks at, from the middle of the table [m]; its angle of view [rad]."""
+_CANNOT = "cannot be here"
+_ARROWS = 0.05  # how far above their object arrows and dots are, so that nothing hides them [m]
+_BEFORE = 0.09  # how far before an object what is said of its effect stands [m]
+_LEAST = 1e-3  # displacements below this have no arrow [m]
 _SIDES = 20  # how many sides a cylinder is drawn with
+
+
+class Leg(NamedTuple):
+    """What one step of a plan does to one object."""
+
+    ends: Float[np.ndarray, "2 3"]  # where its centre is before and after [m]
+    colour: Colour
+    said: str  # on a label
+    is_at_hand: bool
 
 
 class Overlays:
@@ -60,40 +70,50 @@ class Overlays:
         self._layers[layer] = []
         return self._layers[layer]
 
-    def paths(self, positions: Float[np.ndarray, "steps M 3"], colours: Sequence[Colour]) -> None:
-        """Draw the ways of objects, given their centres before a plan and after each step [m], with dots."""
+    def paths(self, legs: Sequence[Leg]) -> None:
+        """Draw where a plan takes objects, with the numbers of its steps; the step at hand is thicker."""
         nodes = self.clear("paths")
-        for number in range(positions.shape[1]):
-            way, colour = positions[:, number] + [0.0, 0.0, _OVER], colours[number % len(colours)]
-            moves = np.linalg.norm(np.diff(way, axis=0), axis=1) > 1e-4
-            if moves.any():
-                lines = np.stack([way[:-1][moves], way[1:][moves]], axis=1)
-                path = f"/paths/{number}"
-                nodes.append(self._scene.add_line_segments(path, lines, colour, thickness=0.006))
-                nodes.append(self._cloud(f"{path}-dots", way[1:][moves], colour, 0.011))
+        for number, leg in enumerate(legs):
+            path, ends = f"/paths/{number}", np.add(leg.ends, (0.0, 0.0, _OVER))
+            thickness = 0.012 if leg.is_at_hand else 0.005
+            nodes.append(self._scene.add_line_segments(path, ends[None], leg.colour, thickness=thickness))
+            nodes.append(self._cloud(f"{path}-dot", ends[1:], leg.colour, 0.011))
+            if leg.said:
+                middle, size = tuple(ends.mean(0)), 1.0 if leg.is_at_hand else 0.8
+                nodes.append(self._label(f"{path}-label", leg.said, middle, size))
 
-    def arrows(self, start: Sequence[float], effects: Sequence[tuple[Sequence[float], bool]]) -> None:
-        """Draw numbered arrows from above an object to where operators take it [m]; some of them lift."""
+    def arrows(self, start: Sequence[float], promises: Sequence[Promise]) -> None:
+        """Draw numbered arrows from above an object [m] to where operators take it, thick if they lift it."""
         nodes = self.clear("arrows")
-        if not effects:
-            return
-        ends = np.array([np.add(start, effect) for effect, _ in effects])
-        points = np.stack([np.broadcast_to(start, ends.shape), ends], axis=1)
-        colours = np.array([_LIFT if lifts else _PUSH for _, lifts in effects], dtype=np.uint8)
-        nodes.append(
-            self._scene.add_arrows(
-                "/arrows", points, colours, shaft_radius=0.002, head_radius=0.007, head_length=0.016
-            )
-        )
-        for number, end in enumerate(ends, start=1):
-            path, spot = f"/arrow-labels/{number}", tuple(end)
-            nodes.append(self._scene.add_label(path, str(number), position=spot, font_screen_scale=0.8))
+        for lifts, radius in ((False, _THIN), (True, _THICK)):
+            own = [one for one in promises if one.lifts == lifts]
+            points = [(start, np.add(start, one.effect)) for one in own]
+            colours = [
+                np.add(np.multiply(one.chance, _INK), np.multiply(1 - one.chance, _PALE)) for one in own
+            ]
+            if own:
+                nodes.append(self._arrows(f"/arrows/{lifts}", np.array(points), np.array(colours), radius))
+        for number, one in enumerate(promises, start=1):
+            spot = tuple(np.add(start, one.effect))
+            nodes.append(self._label(f"/arrow-labels/{number}", str(number), spot))
 
-    def dots(self, points: Float[np.ndarray, "N 3"], colours: Float[np.ndarray, "N 3"]) -> None:
-        """Draw dots, as of rehearsals around a promise: points [m], and colours from 0 to 255."""
-        nodes = self.clear("dots")
-        if len(points):
-            nodes.append(self._cloud("/dots", points, colours.astype(np.uint8), 0.007))
+    def dots(self, layer: str, ends: Sequence[tuple[Sequence[float], bool]], size: float = 0.007) -> None:
+        """Draw where something ended [m]: dark dots where it was as promised, and pale diamonds otherwise."""
+        nodes = self.clear(layer)
+        for is_kept, colour in ((True, _INK), (False, _MISSED)):
+            if own := [end for end, kept in ends if kept is is_kept]:
+                path, wide = f"/{layer}/{is_kept}", size if is_kept else 1.3 * size
+                shape = "circle" if is_kept else "diamond"
+                nodes.append(self._cloud(path, np.array(own), colour, wide, shape))
+
+    def effect(self, start: Sequence[float], effect: Sequence[float], said: str) -> None:
+        """Draw an arrow above an object, from where it was to where it ended [m], and say something of it."""
+        nodes = self.clear("effect")
+        if np.linalg.norm(effect) > _LEAST:
+            points = np.array([[start, np.add(start, effect)]])
+            nodes.append(self._arrows("/effect", points, np.array([_INK]), _THICK))
+        spot = (start[0] + _BEFORE, start[1], 0.0)
+        nodes.append(self._label("/effect-label", said, spot, 1.0, "top-center"))
 
     def waypoints(
         self,
@@ -128,10 +148,27 @@ class Overlays:
             for ball, point in zip(nodes[1::2], points, strict=True):
                 ball.position = tuple(point)
 
-    def _cloud(self, name: str, points: np.ndarray, colours: Any, size: float) -> Any:
+    def _cloud(self, name: str, points: np.ndarray, colours: Any, size: float, shape: Any = "circle") -> Any:
         return self._scene.add_point_cloud(
-            name, points, colours, point_size=size, point_shape="circle", precision="float32"
+            name, points, colours, point_size=size, point_shape=shape, precision="float32"
         )
+
+    def _label(self, name: str, text: str, spot: Any, size: float = 0.8, anchor: Any = "top-left") -> Any:
+        return self._scene.add_label(name, text, position=spot, font_screen_scale=size, anchor=anchor)
+
+    def _arrows(self, name: str, points: np.ndarray, colours: np.ndarray, radius: float) -> Any:
+        wide, long = 3 * radius, 0.012 + 2 * radius
+        return self._scene.add_arrows(
+            name, points, colours.astype(np.uint8), shaft_radius=radius, head_radius=wide, head_length=long
+        )
+
+
+def box_edges(size: _Numbers) -> Float[np.ndarray, "12 2 3"]:
+    """Return the edges of a box around the origin as lines, by its size [m]."""
+    x, y, z = np.array(size[:3]) / 2
+    corners = np.array([(x, y), (-x, y), (-x, -y), (x, -y)])
+    posts = np.stack([np.column_stack([corners, np.full(4, end)]) for end in (-z, z)], axis=1)
+    return np.concatenate([posts, rectangle(x, y, -z), rectangle(x, y, z)])
 
 
 def _segments(points: Float[np.ndarray, "N 3"]) -> Float[np.ndarray, "N-1 2 3"]:
@@ -151,6 +188,11 @@ def rectangle(x: float, y: float, height: float) -> Float[np.ndarray, "4 2 3"]:
     """Return a rectangle around the origin as lines, by half its edges [m]."""
     corners = ((x, y), (-x, y), (-x, -y), (x, -y), (x, y))
     return _segments(np.array([(*corner, height) for corner in corners]))
+
+
+def over(at: Sequence[float], features: Sequence[float]) -> Vector:
+    """Return where arrows begin or end that are about an object whose centre is at a point [m]."""
+    return at[0], at[1], at[2] + features[2] / 2 + _ARROWS
 
 
 def mesh_of(parts: Sequence[Part]) -> Any:
@@ -183,6 +225,7 @@ class _Thing:
     frame: viser.FrameHandle
     nodes: list[Any]
     outlines: list[Any]
+    errors: list[Any]  # what is seen where it cannot be
 
 
 class View:
@@ -195,11 +238,14 @@ class View:
         grabbed: Callable[[str, str], Callable[[Any], Any]] | None = None,
     ):
         self._scene, self._library, self._grabbed = scene, library, grabbed
+        self.palette = Palette.of(library.grounding.operators.categories)
         self._objects: dict[str, _Thing] = {}
         self._goals: dict[str, _Thing] = {}
         self._labels: dict[str, viser.LabelHandle] = {}
         self._links: dict[int, viser.FrameHandle] = {}
         self._frames: dict[str, viser.FrameHandle] = {}
+        self._start: list[Any] = []
+        self.items: Sequence[SceneObject] = ()
         self._draw_table()
         if isinstance(library.world, Posed):
             self._draw_robot(library.world.robot_parts())
@@ -236,38 +282,66 @@ class View:
     ) -> None:
         """Draw a problem anew; see `place`."""
         for thing in (*self._objects.values(), *self._goals.values()):
-            for node in (*thing.nodes, *thing.outlines):
+            for node in (*thing.nodes, *thing.outlines, *thing.errors):
                 node.remove()
         for label in self._labels.values():
             label.remove()
         self._objects, self._goals, self._labels = {}, {}, {}
-        for item, colour in zip(problem.objects, cycle(COLOURS), strict=False):
+        self.items = problem.objects
+        for item in problem.objects:
             name, body = item.name, self._library.object_parts(item.features)
+            colour = self.palette(item.category)
             frame = self._frame(f"/objects/{name}")
             node = self._mesh(f"/objects/{name}/body", body, colour)
-            self._objects[name] = self._draggable("object", name, _Thing(frame, [node], []))
+            self._objects[name] = self._draggable(
+                "object", name, _Thing(frame, [node], [], self._errors(f"/objects/{name}", item))
+            )
             if name in ghosts:
                 ghost = self._ghost(item, colour, problem.tolerance)
                 self._goals[name] = self._draggable("goal", name, ghost)
-            said = f"{name} · {item.category}"
-            self._labels[name] = self._scene.add_label(f"/labels/{name}", said, anchor="bottom-center")
+            self._labels[name] = self._scene.add_label(
+                f"/labels/{name}", self._said_of(item), anchor="bottom-center"
+            )
         self.place(problem, ghosts, complaints)
 
     def place(self, problem: Problem, ghosts: Mapping[str, Vector], complaints: Mapping[str, str]) -> None:
-        """Put objects and goals where they are, red where there is a complaint; see `Desk.complaints`."""
+        """Put objects and goals where they are, framed where there is a complaint; see `Desk.complaints`."""
         related = {name for name, *_ in problem.related}
-        for item, colour in zip(problem.objects, cycle(COLOURS), strict=False):
+        for item in problem.objects:
             name = item.name
             _put(self._objects[name].frame, item.position, item.orientation)
-            self._objects[name].nodes[0].color = _BAD if f"object {name}" in complaints else colour
+            for node in self._objects[name].errors:
+                node.visible = f"object {name}" in complaints
             if (ghost := self._goals.get(name)) is not None:
                 ghost.frame.position = ghosts[name]
-                for node in ghost.nodes:
-                    node.color = _BAD if f"goal {name}" in complaints else colour
+                for node in ghost.errors:
+                    node.visible = f"goal {name}" in complaints
                 for outline in ghost.outlines:
                     outline.position = (0.0, 0.0, -ghosts[name][2])
                 ghost.outlines[1].visible = name not in related  # no tolerance belongs to it
         self._place_labels(problem.objects)
+
+    def at(self, name: str) -> Vector | None:
+        """Return where the centre of an object is seen now [m]; None if it is not seen."""
+        return vector(self._objects[name].frame.position) if name in self._objects else None
+
+    def show_start(self, tried: Tried) -> None:
+        """Draw a ghost of an object where a motion found it."""
+        item = self.items[tried.target]
+        parts, colour = self._library.object_parts(item.features), self.palette(item.category)
+        frame = self._frame("/start")
+        _put(frame, tried.start, tried.turn)
+        self._start = [self._mesh("/start/ghost", parts, colour, opacity=0.35, cast_shadow=False)]
+
+    def clear_start(self) -> None:
+        """Take that ghost away."""
+        for node in self._start:
+            node.remove()
+        self._start = []
+
+    def _said_of(self, item: SceneObject) -> str:
+        """Say what an object is called, and of which category it is."""
+        return f"{item.name} · {plain_name(item.category, self._library.grounding)} {item.category}"
 
     def show(self, pose: Pose) -> None:
         """Put the robot and the objects where they are at one moment of a motion."""
@@ -318,6 +392,13 @@ class View:
                 node.on_drag("left")(self._grabbed(kind, name))
         return thing
 
+    def _errors(self, path: str, item: SceneObject) -> list[Any]:
+        """Draw a frame around what cannot be where it is, and words; they are seen when they are wanted."""
+        lines = box_edges(np.add(item.features[:3], 0.012))
+        frame = self._scene.add_line_segments(f"{path}/error", lines, _BAD, thickness=0.005, visible=False)
+        label = self._scene.add_label(f"{path}/error-label", _CANNOT, anchor="center-center", visible=False)
+        return [frame, label]
+
     def _ghost(self, item: SceneObject, colour: Colour, tolerance: float) -> _Thing:
         """Draw a ghost, the knob on its pin that it is dragged by, its footprint and its tolerance."""
         scene, path, (x, y, z) = self._scene, f"/goals/{item.name}", np.array(item.features[:3]) / 2
@@ -332,7 +413,7 @@ class View:
             scene.add_line_segments(f"{path}/footprint", footprint, colour, thickness=0.004),
             scene.add_line_segments(f"{path}/tolerance", ring, colour, thickness=0.003),
         ]
-        return _Thing(frame, nodes, outlines)
+        return _Thing(frame, nodes, outlines, self._errors(path, item))
 
 
 def aim_camera(server: viser.ViserServer, library: Library) -> None:
@@ -387,10 +468,7 @@ def film_of(
     view = View(server.scene, library)
     view.show_problem(problem, ghost_spots(understand(library.paired(problem), library.grounding)))
     view.show(seen[0].pose)
-    names = {
-        number: f"{number}: {step.operator} {step.object} {step.place or ''}".rstrip()
-        for number, step in enumerate(steps, start=1)
-    }
+    names = {number: f"{number}: {step_in_words(step)}" for number, step in enumerate(steps, start=1)}
     label = server.scene.add_label("/step", "", position=(*library.middle, _TITLE_HEIGHT), visible=False)
     film = server.get_scene_serializer()
     last = -_PACE

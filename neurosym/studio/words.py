@@ -6,24 +6,27 @@ and dark pages alike.
 
 from collections.abc import Iterable, Sequence
 from html import escape
+from itertools import zip_longest
 
+from neurosym.colours import Palette
 from neurosym.errors import counted, harmless
 from neurosym.execution.record import Replanning, Run, StepRecord
 from neurosym.grounding import Grounding
-from neurosym.problems import Problem
-from neurosym.report.symbols import displacement_in_words
+from neurosym.report.symbols import Promise, displacement_in_words
 from neurosym.stages.plan_records import PlanRecord
-from neurosym.tasks.options import put_named
-from neurosym.tasks.task import Task, understand
-from neurosym.tasks.transition import PlanStep, apply, chance, cost, promise_of, start
 
 GOOD, BAD, DIM = "#2a9d5c", "#d9534f", "#8a8a8a"
 _FAR, _NEAR = "#3d8bfd", "#e08a00"
 """Of bars of bits: far from a flip, and near to one."""
 _TABLE = "border-collapse:collapse;font-size:12px;width:100%"
 _CELL = "padding:2px 5px;border-bottom:1px solid rgba(128,128,128,.3);vertical-align:top;text-align:left"
-_HERE = ' style="background:rgba(255,190,60,.25);" aria-current="step"'
+_LIT = "background:rgba(255,190,60,.25);"
 _WIDEST = 10.0  # margin of a bit, before it is squashed, that fills the bar
+
+
+def here(is_at_hand: bool, style: str = "") -> str:
+    """Return the attributes of something on a page that may be what is at hand."""
+    return f' style="{style};{_LIT}" aria-current="step"' if is_at_hand else f' style="{style}"' * bool(style)
 
 
 def safe(text: object) -> str:
@@ -60,32 +63,85 @@ def table(head: Sequence[str], rows: Iterable[Sequence[str]], at: int | None = N
     lines = []
     for number, row in enumerate(rows):
         cells = "".join(f'<td style="{_CELL}">{cell}</td>' for cell in row)
-        lines.append(f"<tr{_HERE if number == at else ''}>{cells}</tr>")
+        lines.append(f"<tr{here(number == at)}>{cells}</tr>")
     return f'<table aria-label="{safe(label)}" style="{_TABLE}"><tr>{heads}</tr>{"".join(lines)}</table>'
 
 
-def plan_table(record: PlanRecord, problem: Problem, grounding: Grounding, at: int | None = None) -> str:
-    """Return a plan in words, with bits, costs and chances; `at` is the step at hand, counted from 0."""
-    task = understand(problem, grounding)
-    now, rows = start(task), []
-    for number, step in enumerate((PlanStep(*parts) for parts in record.steps), start=1):
-        moves, bits = _told(step, task)
-        told = twofold(step.operator, moves)
-        sums = ("", "") if step.puts_down else (str(cost(task, now, step)), f"{chance(task, now, step):.0%}")
-        rows.append((str(number), told, safe(step.object), f"<code>{safe(bits)}</code>", *sums))
-        now = apply(task, now, step)
-    return table(("", "step", "object", "bits", "cost", "chance"), rows, at, f"plan of {record.planner}")
+def three_numbers(effect: Sequence[float]) -> str:
+    """Say an effect in three numbers, zeros, too: `57 mm forward, 90 mm right, 0 mm up`."""
+    ways = zip(effect, (("back", "forward"), ("right", "left"), ("down", "up")), strict=True)
+    millimetres = ((round(1000 * length), way) for length, way in ways)
+    return ", ".join(f"{abs(far)} mm {way[far >= 0]}" for far, way in millimetres)
 
 
-def _told(step: PlanStep, task: Task) -> tuple[str, str]:
-    """Tell what a step of a plan does in words, and its bits."""
-    if put := put_named(step.operator, task.grounding):
-        bits = f"{put.operator.pair or 'any'} · {put.operator.label}"
-        return f"puts it {put.state.name} {step.place}", bits
-    operator = promise_of(step, task.problem, task.grounding)
-    moves = displacement_in_words(operator.promise.outcome) if operator.promise else "nothing"
-    moves = "puts it down" if step.puts_down else f"carries it to {step.place}" if step.place else moves
-    return moves, f"{task.problem.object_named(step.object).category} · {operator.primitive}"
+def plain_name(symbol: str, grounding: Grounding) -> str:
+    """Return what a category is called, without its bits."""
+    categories = grounding.operators.categories
+    name = next((one.name for one in categories if one.symbol == symbol), "of no known category")
+    return name.removesuffix(f"-{symbol}")
+
+
+def verb_of(operator: str) -> str:
+    """Return what an operator does, by the first word of its name."""
+    return operator.split("-")[0]
+
+
+def step_in_words(step: StepRecord) -> str:
+    """Say what a step was to do: `lift item-04, 47 mm left`."""
+    to = f" to {step.place}" if step.place else ""
+    if step.promised_state:
+        to = f" {step.promised_state} {step.place}"
+    elif step.promised_effect and not to:
+        to = f", {displacement_in_words(step.promised_effect)}"
+    return f"{verb_of(step.operator)} {step.object}{to}"
+
+
+def swatch(colour: str) -> str:
+    """Return a small square in a colour, which is one of the page's own."""
+    return (
+        f'<span style="display:inline-block;width:12px;height:12px;vertical-align:-1px;background:{colour};'
+        'border:1px solid rgba(128,128,128,.6)"></span>'
+    )
+
+
+def bar(share: float) -> str:
+    """Return a small bar that is filled by a share, and the share in percent."""
+    return (
+        '<span style="white-space:nowrap"><span style="display:inline-block;width:44px;height:8px;'
+        'background:rgba(128,128,128,.3)"><span style="display:block;height:8px;opacity:.7;'
+        f'background:currentColor;width:{share:.0%}"></span></span> {share:.0%}</span>'
+    )
+
+
+def legend(grounding: Grounding, palette: Palette, here: str = "") -> str:
+    """Return the categories with their colours, codes, names and shares; `here` is the one at hand."""
+    every = sorted(grounding.operators.categories, key=lambda one: (-one.share, one.symbol))
+    rows = [
+        (
+            swatch(palette.hex(one.symbol)),
+            f"<code>{safe(one.symbol)}</code>",
+            safe(plain_name(one.symbol, grounding)),
+            f"{one.share:.0%}",
+        )
+        for one in every
+    ]
+    at = next((number for number, one in enumerate(every) if one.symbol == here), None)
+    return table(("", "bits", "category", "of all objects"), rows, at, "colours of categories")
+
+
+def what_if(sides: Sequence[tuple[str, Sequence[Promise]]], most: int = 4) -> str:
+    """Return side by side what the surest operators promise for each of some kinds of objects."""
+    columns = [
+        [f"{safe(promise_in_words(one))}<br>{bar(one.chance)}" for one in promises[:most]]
+        or ["nothing is known to be done to it"]
+        for _, promises in sides
+    ]
+    return table([head for head, _ in sides], zip_longest(*columns, fillvalue=""), label="before and after")
+
+
+def promise_in_words(promise: Promise) -> str:
+    """Say what an operator promises: `lift, 22 mm back, 236 mm up`."""
+    return f"{verb_of(promise.operator.name)}, {displacement_in_words(promise.effect)}"
 
 
 def plan_summary(record: PlanRecord) -> str:
@@ -110,13 +166,12 @@ def run_table(records: Sequence[StepRecord]) -> str:
         apart = "" if record.apart is None else f"<br>{1000 * record.apart:.0f} mm apart"
         if others := ", ".join(f"{name} {how}" for name, how in record.disturbed.items()):
             apart += f"<br>{coloured(others, BAD)}"
-        whom, seen = f"{record.object} {record.place}", f" from {record.place}"
-        if not record.promised_state:
-            whom, seen = record.object, ""
+        seen = f" from {record.place}" if record.promised_state else ""
+        whom = f"{verb_of(record.operator)} {record.object} {record.place or ''}"
         promised = displacement_in_words(record.promised_effect) if record.promised_effect else ""
         happened = displacement_in_words(record.effect) + seen * (record.happened == "carried")
         told = (
-            twofold(record.operator, whom),
+            twofold(whom, record.operator),
             twofold(record.promised_state or record.promised, promised + seen),
             twofold(record.state or record.happened, happened),
         )

@@ -1,8 +1,7 @@
-"""What the encoding `relational` is printed from: operators on pairs, what they ask, and what they cost.
+"""What can be done with each object and each pair, and what it costs.
 
-What an operator asks is what its rehearsals showed. Where a third object on the reference, on the target, or
-under it spoiled more than half of what goes well otherwise, that is forbidden. Else it is allowed, and costs
-what it showed.
+Where a third object on the reference, on the target, or under it spoiled more than half of what goes well
+otherwise in rehearsals, that is forbidden. Else it is allowed, and costs what it showed.
 """
 
 import math
@@ -139,8 +138,8 @@ def puts_of(grounding: Grounding) -> tuple[Put, ...]:
     """List the operators on pairs that the domain has, by name."""
     if (table := grounding.relations) is None:
         return ()
-    left, every = table.left_out, sorted(table.every_operator, key=lambda one: one.name)
-    return tuple(_put(one, table) for one in every if one.name not in left)
+    every = (one for one in table.every_operator if one.name not in table.left_out)
+    return tuple(_put(one, table) for one in sorted(every, key=lambda one: one.name))
 
 
 def puts_for(

@@ -35,19 +35,18 @@ def promised(grounding: Grounding, item: SceneObject, tolerance: float = TOLERAN
     """Return the operators of an object's category as they promise for this object, by name.
 
     Each has the name, the category and the primitive of the operator that was learned, and no rehearsals.
-    Objects that are unlike all that were rehearsed are promised what their category is.
-
-    Args:
-        grounding: The learned domain.
-        item: The object.
-        tolerance: How near an outcome must come to the promise to have kept it [m].
+    Objects that are unlike all that were rehearsed are promised what their category is. An outcome that comes
+    within the tolerance of the promise has kept it [m].
     """
     return _promised(grounding, item.category, item.features, tolerance)
 
 
 def usable(grounding: Grounding, item: SceneObject, tolerance: float = TOLERANCE) -> tuple[Operator, ...]:
     """Return the operators of the PDDL domain that do something to this object; see `promised`."""
-    return _usable(grounding, item.category, item.features, tolerance)
+    live = {operator.name for operator in grounding.live}
+    usual, found = promised(grounding, item), promised(grounding, item, tolerance)
+    names = (name for name in usual if name in live and why_unfit(usual[name], grounding) is None)
+    return tuple(found[name] for name in names)
 
 
 def why_unfit(operator: Operator, grounding: Grounding) -> str | None:
@@ -74,16 +73,9 @@ def fits_of(grounding: Grounding) -> dict[str, Choice]:
 def chances_of(
     operator: Operator, category: Category, features: Float[np.ndarray, "N F"], tolerance: float = TOLERANCE
 ) -> Float[np.ndarray, "N"] | None:
-    """Estimate how often an operator keeps its promise with objects of some features.
+    """Estimate how often an operator of a category keeps its promise with objects of some features.
 
-    Args:
-        operator: An operator whose rehearsals are kept.
-        category: Its category.
-        features: Features of the objects.
-        tolerance: How near an outcome must come to the promise to have kept it [m].
-
-    Returns:
-        The chances; None where the rehearsals are too few to tell.
+    None is returned where the rehearsals that are kept are too few to tell.
     """
     regression = _regression(operator, category)
     if regression is None:
@@ -110,17 +102,6 @@ def _promised(
     is_known = is_rehearsed(learned, features)
     promises = [_refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own]
     return MappingProxyType({one.name: one for one in promises})
-
-
-@lru_cache(maxsize=256)
-def _usable(
-    grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float
-) -> tuple[Operator, ...]:
-    live = {operator.name for operator in grounding.live}
-    usual = _promised(grounding, category, features, TOLERANCE)
-    names = [name for name in usual if name in live and why_unfit(usual[name], grounding) is None]
-    found = _promised(grounding, category, features, tolerance)
-    return tuple(found[name] for name in names)
 
 
 def _plain(operator: Operator) -> Operator:

@@ -55,14 +55,9 @@ def with_pairs(
 ) -> Problem:
     """Return a problem that knows the kinds of all pairs of its objects, and what is foreseen of each.
 
-    Args:
-        problem: The problem; if it knows them already, it stays as it is.
-        relations: What was learned of pairs; if nothing, the problem stays as it is.
-        sight: What networks say of pairs. By default a pair is of the kind whose mean features are nearest,
-            and nothing is foreseen that does not hold for the whole kind.
-
-    Raises:
-        InvalidValue: If the networks foresee other states than the domain has.
+    If it knows them already, or nothing was learned of pairs, it stays as it is. Where no networks say so, a
+    pair is of the kind whose mean features are nearest, and nothing is foreseen that does not hold for the
+    whole kind. Networks that foresee other states than the domain has are refused.
     """
     rows = _features(problem, relations)
     if relations is None or not rows:
@@ -179,9 +174,8 @@ def touching(problem: Problem) -> Contacts:
 def with_contacts(problem: Problem, contacts: Contacts) -> Problem:
     """Return a problem that says which of its objects touch, by pairs of their indices."""
     names = problem.object_names
-    return msgspec.structs.replace(
-        problem, touching=tuple((names[one], names[other]) for one, other in contacts)
-    )
+    touched = tuple((names[one], names[other]) for one, other in contacts)
+    return msgspec.structs.replace(problem, touching=touched)
 
 
 Seen = Mapping[tuple[str, str], tuple[PairState, float]]

@@ -77,16 +77,16 @@ GAP, LEAST_GAP = 0.05, 0.01
 MOST_PARKS = 8
 """Places to park on at most: who waits is carried on before long, and planners try each for each object."""
 _CANDIDATES, _ROUNDS, _DIGITS = 2000, 200, 4
-_EDGE = 0.02  # how far inside the edge of the table places to park on lie [m]
+_EDGE = 0.02  # how far inside the edge of the table drawn spots lie [m]
 
 
 def with_places(problem: Problem, grounding: Grounding) -> Problem:
     """Return a problem with the places that its objects may be carried to, unless it has its own.
 
-    There is one for each goal on the table, moved a little where objects would nearly touch; see
-    `goal_spots`. There are as many to park on as there are objects, though eight at most, where there is
-    room: none of them overlaps an object as it stands, a goal or another one, whichever object stands there,
-    or at least if a small one does. Where nothing carries objects to places, the problem stays as it is.
+    There is one for each goal on the table, see `goal_spots`, and as many to park on as there are objects,
+    though eight at most, where there is room: none overlaps an object as it stands, a goal or another one,
+    whichever object stands there, or at least if a small one does. Where nothing carries objects to places,
+    the problem stays as it is.
     """
     if grounding.places is None or problem.places:
         return problem
@@ -103,14 +103,17 @@ def with_places(problem: Problem, grounding: Grounding) -> Problem:
     return msgspec.structs.replace(problem, places={**goals, **found})
 
 
-def check_place(name: str, problem: Problem, grounding: Grounding) -> None:
-    """Raise an error unless a problem has a place of a name, or it is a spot, and it lies on the table.
+def drawn_spots(size: Float[np.ndarray, "2"], table: Table) -> Float[np.ndarray, "N 2"]:
+    """Draw spots where an object of a size may stand, the same for the same size and table [all m]."""
+    low, high = np.array([table.x, table.y]).T
+    inside = np.minimum(size / 2 + _EDGE, (high - low) / 2)
+    drawn = np.random.default_rng(0).uniform(size=(_CANDIDATES, 2))
+    return np.asarray(low + inside + drawn * (high - low - 2 * inside))
 
-    Raises:
-        InvalidValue: If no name is given, or it lies off the table.
-        UnknownChoice: If there is none of that name.
-    """
-    grounding.table.check(name, *problem.place_named(name))
+
+def is_within(spots: Float[np.ndarray, "*n K"], room: Float[np.ndarray, "2 *m"]) -> Bool[np.ndarray, "*n"]:
+    """Say which positions have their x and y within least and greatest ones [all m]."""
+    return np.asarray(np.all((spots[..., :2] >= room[0]) & (spots[..., :2] <= room[1]), axis=-1))
 
 
 def _parks(
@@ -123,13 +126,10 @@ def _parks(
         *map(np.array, (goals.get(f"{GOAL}{name}", goal[:2]) for name, goal in problem.goals.items())),
     ]
     rooms = [*sizes, *(sizes[problem.object_names.index(name)] for name in problem.goals)]
-    low, high = np.array([table.x, table.y]).T
     parks = list[tuple[float, float]]()
-    drawn = np.random.default_rng(0).uniform(size=(_CANDIDATES, 2))
     largest, usual, smallest = sizes.max(0), np.median(sizes, axis=0), sizes.min(0)
     for size, gap in ((largest, GAP), (largest, LEAST_GAP), (usual, LEAST_GAP), (smallest, LEAST_GAP)):
-        inside = np.minimum(size / 2 + _EDGE, (high - low) / 2)
-        candidates = low + inside + drawn * (high - low - 2 * inside)
+        candidates = drawn_spots(size, table)
         free = ~near_some(candidates, np.array(spots), (np.array(rooms) + size) / 2 + gap)
         while free.any() and len(parks) < parks_wanted(problem):
             spot = candidates[free.argmax()]
@@ -379,11 +379,7 @@ _latest: list[tuple[Problem, Grounding, Task]] = []
 
 
 def understand(problem: Problem, grounding: Grounding) -> Task:
-    """Work out what a problem and a learned domain mean together; the same again for the same two.
-
-    Raises:
-        InvalidValue: If the problem asks for relations, and the domain knows none.
-    """
+    """Work out what a problem and a learned domain mean together; the same again for the same two."""
     for known, learned, task in _latest:
         if learned is grounding and (known is problem or known == problem):
             return task
@@ -414,15 +410,13 @@ def unmet_relations(problem: Problem, grounding: Grounding) -> tuple[RelationGoa
     """
     if not problem.related:
         return ()
-    task = understand(problem, grounding)
-
-    def holds(target: str, reference: str, name: str) -> bool:
+    task, found = understand(problem, grounding), list[RelationGoal]()
+    for target, reference, name in problem.related:
         asked = task.state_named(name)
-        if asked.bears:
-            return task.supports.get(target) == Borne(reference, asked)
-        return task.seen[target, reference][0] == asked
-
-    return tuple(goal for goal in problem.related if not holds(*goal))
+        borne, seen = task.supports.get(target), task.seen[target, reference][0]
+        if borne != Borne(reference, asked) if asked.bears else seen != asked:
+            found.append((target, reference, name))
+    return tuple(found)
 
 
 def is_reached(problem: Problem, grounding: Grounding) -> bool:

@@ -11,8 +11,8 @@ from toy_domain import WORLD, grounding, problem
 
 from neurosym.evaluation.comparison import Bench, Order, Setting, compare, compare_tasks
 from neurosym.evaluation.summary import summarise, why_not_found
+from neurosym.execution.performance import failure
 from neurosym.execution.record import Replanning, Run, StepRecord
-from neurosym.execution.rerun import failure
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 

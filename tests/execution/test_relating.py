@@ -7,8 +7,8 @@ from msgspec.structs import replace
 from toy_relations import PUT_ON, REST, WORLD, grounding, scene, sorting, tower, tower_at_place
 
 from neurosym.execution.executor import execute
+from neurosym.execution.performance import compare_runs, rerun
 from neurosym.execution.record import Run
-from neurosym.execution.rerun import compare_runs, rerun
 from neurosym.planners import PlanStatus, plan, planner_named
 from neurosym.problems import Problem
 from neurosym.stages.execution import replanning

@@ -10,10 +10,18 @@ from toy_domain import WORLD, grounding, problem
 
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
-from neurosym.execution.performance import LEAST, MOST, Moment, Nudger, nudged
+from neurosym.execution.performance import (
+    LEAST,
+    MOST,
+    Moment,
+    compare_runs,
+    drawn_nudge,
+    failure,
+    nudged,
+    rerun,
+)
 from neurosym.execution.record import Nudge
 from neurosym.execution.replanning import PATIENCE, usual_replans, usual_work
-from neurosym.execution.rerun import compare_runs, failure, rerun
 from neurosym.grounding import Grounding
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.problems import Problem
@@ -81,9 +89,9 @@ def test_nudged_object_still_comes_to_its_goal(seed: int):
 
 
 def nudge_of(seed: int, table: Table = WORLD.table) -> Nudge | None:
-    """What a nudger of three steps wants before them, which is at most one nudge."""
-    nudger = Nudger(seed, 3, problem(AWAY), table)
-    wanted = [nudger.before_step(Moment(number, problem(AWAY).scene(), ())) for number in (1, 2, 3, 1, 2, 3)]
+    """What is drawn before the steps of a plan of three, which is at most one nudge."""
+    moments = [Moment(number, problem(AWAY).scene(), ()) for number in (1, 2, 3, 4)]
+    wanted = [drawn_nudge(seed, 3, moment, problem(AWAY), table) for moment in moments]
     (nudge,) = [one for one in wanted if one] or [None]
     return nudge
 

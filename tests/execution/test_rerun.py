@@ -9,9 +9,8 @@ from toy_domain import WORLD, grounding, problem
 
 from neurosym.errors import UnknownChoice
 from neurosym.execution.executor import execute
-from neurosym.execution.performance import STOP, Answer, Moment
+from neurosym.execution.performance import ROUNDING, STOP, Answer, Moment, compare_runs, rerun
 from neurosym.execution.record import Nudge, Replanning, Run
-from neurosym.execution.rerun import ROUNDING, compare_runs, rerun
 from neurosym.planners import plan
 from neurosym.tasks.transition import PlanStep
 

@@ -17,9 +17,15 @@ from neurosym.pddl.compiler import problem_text
 from neurosym.planners import plan
 from neurosym.planners.pddl_search import _aim
 from neurosym.problems import Problem
-from neurosym.tasks.chances import chance_inside, expected_success, expected_within, spread_of
 from neurosym.tasks.options import cost
-from neurosym.tasks.transition import PlanStep, validate
+from neurosym.tasks.transition import (
+    PlanStep,
+    chance_inside,
+    expected_success,
+    expected_within,
+    spread_of,
+    validate,
+)
 
 
 @pytest.mark.parametrize("tolerance", [0.005, 0.01, 0.02, 0.05])

@@ -15,7 +15,7 @@ from toy_places import CUBE, NAME, OFFSET, grounding, mixed, scene, swap
 
 from neurosym.errors import InvalidPlan, InvalidValue, NeurosymError
 from neurosym.execution.executor import execute
-from neurosym.execution.rerun import compare_runs, rerun
+from neurosym.execution.performance import compare_runs, rerun
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem_check import check_places, check_problem
 from neurosym.planners import PlanStatus, plan

@@ -29,11 +29,11 @@ from neurosym.grounding import Grounding
 from neurosym.pair_operators import Kept, PairEnd, pooled, share_with_any
 from neurosym.pddl.compiler import problem_text
 from neurosym.pddl.plan_reading import parse_plan
+from neurosym.pddl.problem_check import check_relations, relations_meant
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.planner import Planner, PlanResult
 from neurosym.problems import Problem
 from neurosym.tasks.options import nearest_share, put_named, puts_for, puts_of
-from neurosym.tasks.pair_goals import check_relations, relations_meant
 from neurosym.tasks.supports import PairSight, bearers_of, with_pairs
 from neurosym.tasks.task import MOST_BORNE, understand
 from neurosym.tasks.transition import PlanStep, chance, start, validate

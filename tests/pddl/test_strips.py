@@ -27,7 +27,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import excerpt_for, ground_plan, parameters_of, with_every_outcome
-from neurosym.pddl.plan_reading import parse_plan, read_answer
+from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips import WORDS, page
 from neurosym.pddl.strips_plan import action_for, write
@@ -214,7 +214,7 @@ def test_cheapest_plan_is_one_of_the_page_and_as_cheap_as_after_translation(
         domain, problem = (tmp_path / file for file in files)
         answer = plan_fast_downward(domain, problem, time_limit=60.0, searches=(Search(search),))
         assert answer.status is PlanStatus.SOLVED, answer.reason
-        return read_answer(answer.text, problem, task, lambda _: page)
+        return parse_plan(answer.text, problem, task.grounding, task.problem, lambda _: page)
 
     def price(steps: tuple[PlanStep, ...]) -> int:
         costs = {move.name: move.cost for move in task.moves_on(learned, task.names[0])}

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.planners import PlanStatus, plan
-from neurosym.planners.object_paths import plan_around
+from neurosym.planners.joined_plans import plan_around
 from neurosym.planners.planner import TimeIsUp
 from neurosym.problems import Problem
 from neurosym.tasks.transition import primitives, validate

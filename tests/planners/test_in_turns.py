@@ -8,9 +8,9 @@ from msgspec.structs import replace
 from toy_places import NAME, grounding, scene, swap
 
 from neurosym.planners import PlanResult, PlanStatus, plan
-from neurosym.planners.joined_plans import _Way as Way
+from neurosym.planners.action_counts import clearest_first
+from neurosym.planners.joined_plans import _Course as Way
 from neurosym.planners.joined_plans import plan_in_turns
-from neurosym.planners.plan_order import clearest_first
 from neurosym.problems import Problem
 from neurosym.tasks.task import with_places
 from neurosym.tasks.transition import PlanStep, validate

@@ -4,7 +4,7 @@ import pytest
 from msgspec.structs import replace
 from tables import DOWN, LEFT, LIFT, PUSH, crossing, grounding, item, problem
 
-from neurosym.planners.plan_order import ends_held, mend
+from neurosym.planners.action_counts import ends_held, mend
 from neurosym.problems import Problem
 from neurosym.tasks.transition import PlanStep, validate
 

@@ -10,7 +10,7 @@ from tables import grounding, item, problem, total_cost
 from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.planners import PlanResult, PlanStatus, pddl_planner, plan
-from neurosym.planners.object_paths import plan_singly
+from neurosym.planners.joined_plans import plan_singly
 from neurosym.planners.planner import Effort, PlannerAnswer
 from neurosym.problems import Problem
 from neurosym.tasks.transition import PlanStep, validate

@@ -6,7 +6,7 @@ import toy_relations
 from toy_relations import LIE, REST, scene
 
 from neurosym.execution.executor import execute
-from neurosym.execution.rerun import compare_runs, rerun
+from neurosym.execution.performance import compare_runs, rerun
 from neurosym.planners import plan
 from neurosym.problems import Problem
 from neurosym.sim.tabletop import Tabletop

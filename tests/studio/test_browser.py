@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from studio_pages import chromium, shipped_library
 
+from neurosym.planners import PlanStatus
 from neurosym.studio.server import Studio
 from tools.benchmarks.studio.browser import FLAGS, SLOW, Window
 
@@ -32,7 +33,7 @@ def studio() -> Iterator[Studio]:
 
 
 @pytest.fixture
-def window(browser, studio) -> Iterator[Window]:
+def window(studio, browser) -> Iterator[Window]:
     opened = Window(browser, studio)
     yield opened
     opened.context.close()
@@ -78,3 +79,15 @@ def test_keyboard_reaches_every_panel_and_number(window):
     before = window.page.session.problem.objects[0].position
     window.tab.keyboard.press("ArrowUp")
     window.wait(lambda: window.page.session.problem.objects[0].position != before)
+
+
+@pytest.mark.evaluation
+def test_nearest_goals_are_accepted_with_one_click(window):
+    session = window.page.session
+    session.aim("item-01", 0.6, 0.1, 0.45)  # higher than anything is lifted
+    window.open("Plan")
+    window.press("Plan")
+    window.wait(lambda: session.plans and not session.planning)
+    assert session.plan_shown.record.status is PlanStatus.NEAREST, session.word.text
+    window.press("Accept the nearest goals")
+    window.wait(lambda: session.plans and not session.planning and session.plan_shown.record.solved)

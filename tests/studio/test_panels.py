@@ -5,6 +5,7 @@ import pytest
 import viser
 from studio_pages import session_on, shipped_library, wait_for, workers
 
+from neurosym.colours import Palette
 from neurosym.contract import Part
 from neurosym.execution.record import Replanning, Run
 from neurosym.files import read_json
@@ -12,9 +13,12 @@ from neurosym.planners import PlanStatus
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.studio import words
 from neurosym.studio.page import Page
+from neurosym.studio.plan_words import lanes, lines_of, pddl_page, plan_list
 from neurosym.studio.server import PANELS
 from neurosym.studio.tour import CARDS, TourPanel
 from neurosym.studio.view import Grab, circle, mesh_of, rectangle
+from neurosym.tasks.task import understand
+from neurosym.tasks.transition import PlanStep
 
 PARTS = [
     (Part("box", (0.1, 0.2, 0.3)), 0.006),
@@ -73,9 +77,20 @@ def test_what_comes_from_outside_is_never_markup(told):
 
 def test_plans_and_runs_are_told_with_their_steps_and_promises():
     record = read_json(LIBRARY.folder / "plans" / "task-02.fast-downward.json", PlanRecord)
-    told = words.plan_table(record, LIBRARY.load_problem("task-02"), LIBRARY.grounding, at=1)
+    steps = [PlanStep(*step) for step in record.steps]
+    lines = lines_of(steps, understand(LIBRARY.load_problem("task-02"), LIBRARY.grounding))
+    told = plan_list(lines, Palette(), at=1)
     assert all(operator in told and name in told for operator, name, *_ in record.steps)
     assert told.count('aria-current="step"') == 1
+    put_down = PlanStep(f"put-down-{steps[1].operator}", steps[1].object)
+    (both,) = lines_of([steps[1], put_down], understand(LIBRARY.load_problem("task-02"), LIBRARY.grounding))
+    assert both.said.startswith("lift item-01, put it down ")
+    side_by_side = lanes({"a": lines, "b": (lines[0], both)}, Palette(), "a")
+    assert "they part at step 2" in side_by_side
+    assert side_by_side.count(steps[0].operator) == 1
+    assert "they are the same" in lanes({"a": lines, "b": lines}, Palette(), "a")
+    marked = pddl_page(LIBRARY.grounding, "push", "(push item-01)", "step 1").partition("<mark ")[2]
+    assert marked.partition(">")[2].lstrip().startswith("(:action push ")
     run = read_json(LIBRARY.folder / "runs" / "task-02.fast-downward.run.json", Run)
     assert words.run_table(run.steps).count("as promised") == sum(step.as_promised for step in run.steps)
 

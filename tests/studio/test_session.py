@@ -190,6 +190,36 @@ def test_record_is_byte_for_byte_what_the_command_line_writes(tabletop, tmp_path
     assert {path: path.stat().st_mtime_ns for path in SHIPPED.rglob("*")} == before
 
 
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_tries_are_counted_and_an_effect_stays_until_the_table_is_asked_for(tabletop):
+    tabletop.load("task-15")
+    running, name = tabletop.running, "item-01"
+    server = viser.ViserServer("127.0.0.1", 0, verbose=False)
+    page = Page(server, tabletop, PANELS)
+    running.steer(speed=0.0)
+    running.try_ten(name, tabletop.unsure(name).operator.name)
+    wait_for(lambda: not running.is_active)
+    kept = sum(one.keeps(running.promise) for one in running.tries)
+    assert len({one.start for one in running.tries}) == 10
+    assert tabletop.word.text.startswith(f"{kept} of 10 as promised; promised ")
+    before = tabletop.problem.object_named(name).position
+    surest = tabletop.promises(name)[0]
+    running.perform(name, tabletop.library.grounding.primitive_of(surest.operator).action)
+    wait_for(lambda: not running.is_active)
+    (tried,) = running.tries
+    assert tried.keeps(surest)
+    wait_for(lambda: page.view.at(name) == pytest.approx(tried.end, abs=1e-3))
+    tabletop.reset()
+    wait_for(lambda: page.view.at(name) == pytest.approx(before, abs=1e-3))
+    assert not running.has_ended
+    category = tabletop.problem.object_named(name).category
+    body = page.view._objects[name].nodes[0]
+    assert tuple(body.color) == page.view.palette(category)
+    page._is_closed = True
+    page.hear("status")
+    server.stop()
+
+
 def test_margins_say_on_which_side_of_its_flip_each_bit_is(tabletop):
     for item in tabletop.library.load_problem("task-20").objects:
         margins = tabletop.library.margins(item.features)

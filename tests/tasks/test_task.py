@@ -15,9 +15,8 @@ from neurosym.pddl.compiler import ground_plan
 from neurosym.planners.registry import plan
 from neurosym.problems import Problem
 from neurosym.tasks import promises, supports, task
-from neurosym.tasks.chances import expected_success
 from neurosym.tasks.task import understand
-from neurosym.tasks.transition import validate
+from neurosym.tasks.transition import expected_success, validate
 
 DOMAINS = ROOT / "domains"
 COUNTED = ((task, "goal_spots"), (supports, "describe_pair"), (supports, "nearest_kinds"))
@@ -35,7 +34,6 @@ def counted(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """Count how often places are drawn, pairs described and promises worked out."""
     found: Counter[str] = Counter()
     promises._promised.cache_clear()
-    promises._usable.cache_clear()
 
     def count(module: ModuleType, name: str) -> None:
         real: Callable[..., object] = getattr(module, name)

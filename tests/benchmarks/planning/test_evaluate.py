@@ -7,7 +7,7 @@ import pytest
 from places import ROOT
 
 from neurosym.evaluation.comparison import Attempt, TaskRecord
-from neurosym.execution.rerun import Execution
+from neurosym.execution.performance import Execution
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
 from tools.benchmarks.domains import bench_of

@@ -18,7 +18,7 @@ from neurosym.errors import NeurosymError
 from neurosym.evaluation.comparison import Bench, compare, planner_of
 from neurosym.evaluation.paper_tables import KINDS, LEAST_OBJECTS, LEAST_SHARE, kind_of
 from neurosym.execution.executor import execute
-from neurosym.execution.rerun import summarise_run
+from neurosym.execution.performance import summarise_run
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.planners import PlanResult, PlanStatus, plan

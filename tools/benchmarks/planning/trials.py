@@ -8,16 +8,15 @@ import msgspec
 
 from neurosym.evaluation.comparison import Setting, planner_of
 from neurosym.execution.executor import execute
+from neurosym.execution.performance import failure
 from neurosym.execution.record import Run, StepRecord
-from neurosym.execution.rerun import failure
 from neurosym.grounding import Grounding, at_rest
 from neurosym.operators import Vector
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
 from neurosym.stages.plan_records import MORE_MOTIONS
-from neurosym.tasks.chances import expected_success, expected_within
 from neurosym.tasks.promises import promised
-from neurosym.tasks.transition import primitives
+from neurosym.tasks.transition import expected_success, expected_within, primitives
 from tools.benchmarks.jobs import Found, cpu_seconds
 
 PLANNER = "fast-downward"

@@ -18,7 +18,7 @@ from jaxtyping import Float
 from neurosym.errors import InvalidValue
 from neurosym.evaluation.comparison import Bench, Setting, planner_of
 from neurosym.execution.executor import execute
-from neurosym.execution.rerun import failure
+from neurosym.execution.performance import failure
 from neurosym.operators import TOLERANCE
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
