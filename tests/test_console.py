@@ -1,8 +1,79 @@
-"""Where there is no terminal, long work says in a line now and then how far it has come."""
+"""Lines and tables fit the terminal and break no name; long work says now and then how far it has come."""
+
+import re
+import sys
+from dataclasses import replace
 
 import pytest
+from command_line import neurosym
 
+from neurosym.commands.catalogue import SUMMARIES
+from neurosym.planners.registry import PLANNERS
 from neurosym.stages import console
+
+OPERATOR = "carry-to-100-solid-low-narrow-01 item-01"
+
+
+@pytest.fixture
+def columns(monkeypatch):
+    """Say how wide the terminal is."""
+
+    def be(wide: int) -> None:
+        monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+        monkeypatch.setenv("COLUMNS", str(wide))
+
+    return be
+
+
+@pytest.mark.parametrize(("wide", "lines"), [(120, 3), (80, 4), (60, 3)])
+def test_table_breaks_no_name_and_no_vector(columns, capsys, wide, lines):
+    columns(wide)
+    headings = ["", "step", "promised [mm]", "happened [mm]", "as promised"]
+    console.show_table(
+        "run", headings, [["1", OPERATOR, "resting (11, 13, 0)", "resting (-62, 10, 0)", "no"]]
+    )
+    title, *said = capsys.readouterr().out.splitlines()
+    assert title == "run"
+    assert max(map(len, said)) <= wide
+    whole = " ".join(said)
+    for word in (*OPERATOR.split(), "(11, 13, 0)", "(-62, 10, 0)"):
+        assert word in whole
+    assert ("promised [mm]: resting (11, 13, 0); happened" in re.sub(r"\s+", " ", whole)) == (wide == 60)
+    assert len(said) == lines
+
+
+def test_line_is_folded_between_words_and_what_is_to_be_copied_is_not(columns, capsys):
+    columns(40)
+    console.say(f"  ({OPERATOR})")
+    console.say_next("neurosym execute a-domain a-problem a-domain/plans/a-plan.plan")
+    assert capsys.readouterr().out == (
+        "  (carry-to-100-solid-low-narrow-01\n  item-01)\n"
+        "next: neurosym execute a-domain a-problem a-domain/plans/a-plan.plan\n"
+    )
+
+
+@pytest.mark.parametrize("command", ["", *SUMMARIES])
+def test_help_has_at_most_80_columns(capsys, monkeypatch, command):
+    for wide in ("80", "200"):
+        monkeypatch.setenv("COLUMNS", wide)
+        neurosym(*[command][: len(command)], "--help")
+        said = capsys.readouterr().out
+        assert max(map(len, said.splitlines())) <= 80
+        first = SUMMARIES.get(command, "A robot plays with objects out of curiosity;")
+        assert first in " ".join(said.split())
+
+
+@pytest.mark.parametrize("is_there", [True, False])
+def test_planners_fit_a_screen_whatever_is_installed(columns, capsys, monkeypatch, is_there):
+    columns(80)
+    for name, one in PLANNERS.items():
+        told = "" if is_there else one.missing() or f"`pip install a-planner-{name[:2]}` brings it"
+        monkeypatch.setitem(PLANNERS, name, replace(one, missing=lambda told=told: told))
+    assert neurosym("planners") == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) <= 40
+    assert max(map(len, lines)) <= 80
+    assert {name for name in PLANNERS if any(line.startswith(f"{name} ") for line in lines)} == {*PLANNERS}
 
 
 @pytest.fixture

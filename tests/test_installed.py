@@ -77,7 +77,7 @@ def test_archives_hold_what_is_needed_and_are_what_the_package_index_takes(built
 def test_shipped_domain_is_named_by_its_name_and_copied_before_it_is_used(neurosym, environment, tmp_path):
     done = neurosym("plan", "tabletop", "task-01")
     assert done.returncode == 0, done.stderr
-    assert f"copied the shipped domain tabletop to {tmp_path / 'tabletop'}" in done.stdout.replace("\n", "")
+    assert "copied the shipped domain tabletop to the folder tabletop;" in done.stdout
     plan = Path("tabletop") / "plans" / "task-01.fast-downward.plan"
     assert (tmp_path / plan).is_file()
     executed = neurosym("execute", "tabletop", "task-01", plan)

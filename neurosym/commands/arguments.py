@@ -1,10 +1,14 @@
 """Options that several commands share, and how what was typed is read."""
 
 import inspect
+import io
 import math
 import os
 import re
-from collections.abc import Callable, Sequence
+import shutil
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, redirect_stdout
 from difflib import get_close_matches
 from functools import partial, wraps
 from itertools import pairwise
@@ -18,7 +22,7 @@ from neurosym.choices import DOMAINS, DrawnTask, copy_shipped, shipped_domain
 from neurosym.commands.catalogue import ABOUT, SUMMARIES, Command, command_named, nearest
 from neurosym.errors import InvalidValue, UnknownChoice, quoted, shortened
 from neurosym.files import LARGEST_WHOLE, check_writable
-from neurosym.stages.console import be_quiet, is_quiet, print_raw, say
+from neurosym.stages.console import NARROW, be_quiet, folded, is_quiet, print_raw, say
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PROBLEMS
 
@@ -80,7 +84,7 @@ def opened(folder: Path) -> DomainFolder:
         CannotWrite: If a shipped domain cannot be copied.
     """
     if len(folder.parts) == 1 and not folder.exists() and copy_shipped(folder.name, folder):
-        say(f"copied the shipped domain {folder.name} to {folder.absolute()}; all results go there")
+        say(f"copied the shipped domain {folder.name} to the folder {folder}; all results go there")
     if not folder.exists() and (meant := get_close_matches(str(folder), DOMAINS, n=1)):
         raise InvalidValue(
             f"There is no folder {folder}; the shipped domain is called {meant[0]}, and `neurosym init "
@@ -156,7 +160,8 @@ def read_arguments(arguments: Sequence[str]) -> Callable[[], int]:
     from tyro._errors import on_parse_error
 
     config = (tyro.conf.FlagCreatePairsOff,)
-    with on_parse_error(partial(_refuse, command, arguments)):
+    is_help = bool({"-h", "--help"} & {*arguments})
+    with _narrow(is_help), on_parse_error(partial(_refuse, command, arguments)):
         if command:  # as the others would be, which are not imported for it
             chosen: partial[int] = tyro.cli(
                 _later(command), prog=f"neurosym {name}", args=arguments[1:], config=config
@@ -171,6 +176,30 @@ def read_arguments(arguments: Sequence[str]) -> Callable[[], int]:
         if isinstance(value, int | float):
             _check_number(option.replace("_", "-"), value)
     return chosen
+
+
+_BROKEN = re.compile(r"(?<=\S)\n(?=[`(-])")  # where tyro leaves a line of a docstring as it was
+
+
+@contextmanager
+def _narrow(is_help: bool) -> Iterator[None]:
+    """Fold what tyro prints, if it is help: tables it folds itself, and sentences it does not."""
+    if not is_help:
+        yield
+        return
+    columns, before = min(shutil.get_terminal_size().columns, NARROW), dict(os.environ)
+    page = io.TextIOWrapper(io.BytesIO(), sys.stdout.encoding or "utf-8", "backslashreplace")
+    os.environ["COLUMNS"] = str(columns)
+    try:
+        with redirect_stdout(page):
+            yield
+    finally:
+        os.environ.pop("COLUMNS")
+        os.environ.update(before)
+        page.seek(0)
+        text = re.sub(r"\n{3,}", "\n\n", _BROKEN.sub(" ", page.read().rstrip()))
+        be_quiet(False)
+        print_raw("\n".join(folded(text, columns)))
 
 
 def _check_words(arguments: Sequence[str]) -> None:

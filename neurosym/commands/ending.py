@@ -14,7 +14,7 @@ from types import FrameType
 from neurosym.choices import compute_in_one_thread
 from neurosym.commands.catalogue import overview
 from neurosym.errors import NAME, InvalidValue, NeurosymError, refuse_other_library, version_of
-from neurosym.stages.console import OutputClosed, be_quiet, complain, naming_output, say, width
+from neurosym.stages.console import NARROW, OutputClosed, be_quiet, complain, naming_output, say, width
 
 _DONE, _BAD_INPUT, NO_RESULT, _NOBODY_READS = 0, 2, 3, 141
 """Exit codes; `cli` says what each means."""
@@ -155,7 +155,7 @@ def _perform(typed: Sequence[str]) -> int:
         return _DONE
     words = [word for word in typed if word != _QUIET]
     if words and words[0].startswith("-") and {"-h", "--help"} & {*words}:
-        say(overview(width()))
+        say(overview(min(width(), NARROW)))
         return _DONE
     be_quiet(_QUIET in typed)
     # torch would leave a folder among temporary ones as soon as it is imported

@@ -22,7 +22,7 @@ from neurosym.commands.ending import NO_RESULT
 from neurosym.commands.tasks import given_plan
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, check_extra, counted, quoted
 from neurosym.files import make_folder, write_atomically
-from neurosym.stages.console import say, say_next
+from neurosym.stages.console import print_raw, say, say_next
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN, RECORD, RUNS, plan_files, run_file
 
@@ -226,7 +226,7 @@ def demo(
     from neurosym.commands.tasks import plan
 
     def say_command(*words: str | Path) -> None:
-        say(f"\n$ neurosym {' '.join(map(quoted, words))}")
+        print_raw(f"\n$ neurosym {' '.join(map(quoted, words))}")
 
     folder = output / _SHIPPED  # what an earlier demonstration left is used again
     make_folder(output)

@@ -188,25 +188,34 @@ def explain(
     symbol: Annotated[
         Optional[str], arg(metavar="SYMBOL", help="Say it of this symbol only: bits, a name, or an operator.")
     ] = None,
+    all: Annotated[  # noqa: A002  (it is typed so)
+        bool, arg(help="Say all that is known of every symbol, and not one screen.")
+    ] = False,
     json: Json = False,
 ) -> int:
-    """Say in words what each symbol means: what is done, and which objects are alike."""
-    from neurosym.commands.tables import explanation_page, is_long, show_explanation
+    """Say in words what each symbol means: what is done, and which objects are alike.
+
+    It takes one screen. `--all`, `--symbol`, `--output` and `--json` tell more.
+    """
+    from neurosym.commands.tables import explanation_page, show_explanation, show_screen
     from neurosym.report.explanation import explain_folder
 
     answer, domain = answer_in(json), opened(folder)
     check_file(output, "explanation", ".md")
-    every = explain_folder(domain)
+    every, is_whole = explain_folder(domain), all or symbol is not None
     explanation = every if symbol is None else every.only(symbol)
     if output:
         write_atomically(output, explanation_page(explanation, domain.path.resolve().name))
         for line in explanation.summary[:1]:
             say(line)
         say(f"wrote {output}")
-    else:
+    elif is_whole:
         show_explanation(explanation)
+    else:
+        show_screen(explanation)
     first = explanation.actions[0].symbol if explanation.actions else ""
-    if not output and is_long(explanation):
+    if not (output or is_whole):
+        say("all of one symbol: --symbol SYMBOL; of every symbol: --all, or --output FILE.md")
         say_next(f"neurosym explain {quoted(folder)} --symbol {first}")
     elif first and (domain / WORLD).is_file():
         show = f"show {quoted(folder)} --primitive {first}"

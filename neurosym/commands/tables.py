@@ -1,8 +1,8 @@
 """What was learned and done, as tables and sentences: models, operators, data, runs, explanations."""
 
 import math
-import textwrap
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -15,8 +15,8 @@ from neurosym.files import read_json
 from neurosym.learning.training import TrainingReport, empty_codes, error_table
 from neurosym.operators import CONVERGED, NO_EFFECT, Effect, OperatorTable, name_axes, names_of_features
 from neurosym.pair_operators import RelationOperators
-from neurosym.report.symbols import EffectRow, Explanation
-from neurosym.stages.console import say, show_table, width
+from neurosym.report.symbols import EffectRow, Explanation, SymbolExplanation
+from neurosym.stages.console import NARROW, folded, print_raw, say, show_table, width
 from neurosym.stages.verdicts import Verdict, judge_training
 from neurosym.tasks.transition import PlanStep, primitives
 
@@ -156,7 +156,6 @@ def _told(effect: Effect, *, in_mm: bool = False) -> str:
 
 
 _WIDEST = 110  # columns of running text
-_MANY = 60
 _KINDS = {
     "actions": "Action",
     "carrying": "Carrying",
@@ -167,28 +166,62 @@ _KINDS = {
 }
 
 
-def is_long(explanation: Explanation) -> bool:
-    """Say whether there are so many symbols that a terminal shows only what each is called."""
-    return sum(map(len, explanation.parts.values())) > _MANY
+_MOST_OBJECTS, _MOST_ACTIONS = 8, 16
+"""Symbols of which one screen tells."""
+_BRIEFLY = (
+    (r" ± [\d.e+-]+", ""),
+    ("mm from back to front", "mm deep"),
+    ("mm from right to left", "wide"),
+    (r"mm high\b", "high"),
+    (r"open at both ends \(rings\)", "rings"),
+    (r"\. Of them, (\d+%|all) are (\w+).*", r", \1 \2"),  # the most frequent kind
+)
+"""What is said of the objects of a category, and how one screen says it."""
+
+
+def show_screen(explanation: Explanation) -> None:
+    """Print in one screen what was learned: categories, what each action symbol does, and more."""
+    actions, objects = explanation.actions, explanation.objects
+    kept, trials = _promises(actions)
+    known = f"{counted(len(actions), 'action symbol')}, {counted(len(objects), 'object symbol')}"
+    print_raw(f"{known}; {kept} of {trials} trials ended as promised.")
+    alike, done = list[list[str]](), list[list[str]]()
+    for one in objects:
+        share, _, about = one.about.partition(" of the objects have this symbol")
+        for long, short in _BRIEFLY:
+            about = re.sub(long, short, about)
+        alike.append([one.symbol, one.title, *([share, about.strip(" :.")] if about else ["0%", ""])])
+    for one in actions:
+        kept, trials = _promises([one])
+        does = re.sub(r"\((\d+%) of objects\)", r"\1", one.title)
+        done.append([one.symbol, does, f"{kept / trials:.0%}" if trials else "-"])
+    does = "what the action does, to which share of objects"
+    for most, columns, rows in (
+        (_MOST_OBJECTS, ["code", "objects", "share", "on average"], alike),
+        (_MOST_ACTIONS, ["code", does, "as promised"], done),
+    ):
+        show_table("", columns, rows[:most], most=NARROW)
+        if len(rows) > most:
+            print_raw(f"and {len(rows) - most} more")
+    for line in folded("\n".join(["", *explanation.summary[1:]]), min(width(), NARROW)):
+        print_raw(line)
+
+
+def _promises(symbols: Iterable[SymbolExplanation]) -> tuple[int, int]:
+    """Count how often operators did what they promise, and how often they were tried."""
+    rows = {row.operator: row for one in symbols for row in one.effects}.values()
+    return sum(row.promised for row in rows), sum(row.trials for row in rows)
 
 
 def show_explanation(explanation: Explanation) -> None:
-    """Print an explanation for a terminal; of many symbols only what each is called."""
-    is_brief, lines = is_long(explanation), [*explanation.summary]
+    """Print all of an explanation for a terminal."""
+    lines = [*explanation.summary]
     for name, symbols in explanation.parts.items():
         for symbol in symbols:
-            if is_brief:
-                lines.append(f"  {symbol.symbol}: {symbol.title}")
-                continue
             lines += ["", f"{_KINDS[name]} symbol {symbol.symbol}: {symbol.title}"]
             lines += [f"  {line}" for line in (symbol.about, *_effects(symbol.effects)) if line]
-    if is_brief:
-        lines.append("With --symbol all that is known of one is said, and --output FILE.md writes all of it.")
-    # names are to be copied, so none is broken
-    folding = textwrap.TextWrapper(min(width(), _WIDEST), break_long_words=False, break_on_hyphens=False)
-    for line in lines:
-        folding.subsequent_indent = " " * (len(line) - len(line.lstrip()))
-        say(folding.fill(line))
+    for line in folded("\n".join(lines), min(width(), _WIDEST)):
+        print_raw(line)
 
 
 def explanation_page(explanation: Explanation, title: str) -> str:

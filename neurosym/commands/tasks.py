@@ -330,15 +330,21 @@ def planners(json: Json = False) -> int:
     """List the planners, the encodings that they take, and whether they are here."""
     from neurosym.planners.registry import PLANNERS
 
-    answer, rows = answer_in(json), []
+    answer, rows, absent = answer_in(json), [], dict[str, list[str]]()
     for planner in PLANNERS.values():
         encodings = ", ".join(planner.encodings) or "-"
         cell = planner.program.cell if planner.program else 0.0
-        cells = f", cells from {cell * 1000:g} mm" if cell else ""
-        rows.append([planner.name, planner.about, encodings + cells, planner.missing() or "yes"])
+        cells = f" from {cell * 1000:g} mm" if cell else ""
+        rows.append([planner.name, planner.about, encodings + cells, "no" if planner.missing() else "yes"])
+        if remedy := planner.missing():
+            absent.setdefault(remedy, []).append(planner.name)
     show_table("Planners", ["planner", "what it is", "encodings", "installed"], rows)
-    say("strips is the page, domain.pddl; sas is what Fast Downward makes of objects that are led over cells")
-    say("`pip install 'neurosym-pddl[planners]'` brings those that are not")
+    for remedy, names in absent.items():
+        say(f"{', '.join(names)}: {remedy}")
+    say("strips is the page, domain.pddl, for some with cells no smaller than they can bear;")
+    say("sas is what Fast Downward makes of objects that are led over cells")
+    say("`pip install 'neurosym-pddl[planners]'` brings all of them")
+    say_next("neurosym plan DIR PROBLEM --planner NAME")
     answer(
         [
             {

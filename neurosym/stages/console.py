@@ -7,6 +7,8 @@ import sys
 import textwrap
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
+from functools import partial
+from itertools import chain, zip_longest
 from pathlib import Path
 from time import monotonic
 
@@ -17,7 +19,8 @@ _PROGRAM = re.compile(rf"(?:^|(?<=, then )|(?<= && )){NAME}(?= )")
 _LONG = re.compile(r"\S{1000,}")
 _LEAST_PAUSE = 5.0  # between lines that say how far some work has come [s]
 _BAR, _REDRAW = 30, 0.1  # columns of a bar; how often it is drawn [s]
-_NARROWEST = 8  # columns of a cell, if a table is too wide
+NARROW = 80  # columns of help, and of what is to be read in one screen
+_VECTOR = re.compile(r"\([-\d., ]{,60}\)")
 
 
 class OutputClosed(BaseException):
@@ -66,18 +69,36 @@ def naming_output() -> Iterator[None]:
         raise CannotWrite(Path("standard output"), error) from error
 
 
+def folded(text: str, columns: int) -> list[str]:
+    """Fold a text between its words, since names are to be copied and numbers in brackets belong together.
+
+    Args:
+        text: A line, or several; what is folded keeps its indentation.
+        columns: How wide it may become, unless a word is longer.
+    """
+    lines = list[str]()
+    for line in text.split("\n"):
+        whole = _VECTOR.sub(lambda vector: vector[0].replace(" ", "\xa0"), line)
+        margin = " " * (len(line) - len(line.lstrip()))
+        parts = textwrap.wrap(
+            whole, max(columns, 1), subsequent_indent=margin, break_long_words=False, break_on_hyphens=False
+        )
+        lines += [part.replace("\xa0", " ") for part in parts] or [""]
+    return lines
+
+
 def say(text: str) -> None:
-    """Print a line for the user."""
-    if _Output.quiet:
-        return
-    with naming_output():
-        sys.stdout.write(f"{harmless(text)}\n")
-        sys.stdout.flush()
+    """Print a line for the user, which a terminal that is too narrow gets in several."""
+    print_raw("\n".join(folded(harmless(text), width())) if sys.stdout.isatty() else text)
 
 
 def print_raw(text: str) -> None:
-    """Print a text as it is, for programs to read."""
-    say(text.rstrip("\n"))
+    """Print a text as it is, for programs to read or to be copied."""
+    if _Output.quiet:
+        return
+    with naming_output():
+        sys.stdout.write(f"{harmless(text).rstrip(chr(10))}\n")
+        sys.stdout.flush()
 
 
 def say_next(command: str) -> None:
@@ -85,29 +106,49 @@ def say_next(command: str) -> None:
     typed, found = sys.argv[0], shutil.which(NAME)
     is_found = found and Path(found).resolve() == Path(typed).resolve()
     program = NAME if is_found or Path(typed).name != NAME else quoted(typed)
-    say(f"next: {_PROGRAM.sub(lambda _: program, command)}")
+    print_raw(f"next: {_PROGRAM.sub(lambda _: program, command)}")
 
 
-def show_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
-    """Print a table, whose widest columns are folded where the terminal is too narrow.
+def show_table(
+    title: str, columns: Sequence[str], rows: Sequence[Sequence[str]], *, most: int | None = None
+) -> None:
+    """Print a table, whose widest columns are folded where the terminal is too narrow; names never are.
+
+    Where even that is too wide, each row becomes a line of its own, with the headings in it.
 
     Args:
         title: What it shows.
         columns: Headings.
         rows: One text for each heading.
+        most: How many columns of the terminal it may take; all of them if not given.
     """
+    there, words = min(width(), most or width()), partial(folded, columns=1)
     lines = [[harmless(cell) for cell in line] for line in (columns, *rows)]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
-    while sum(widths) + 2 * len(widths) > width() and max(widths) > _NARROWEST:
-        widths[widths.index(max(widths))] -= 1
+    least = [max(map(len, chain(*map(words, column)))) for column in zip(*lines, strict=True)]
     say(title)
+    while sum(widths) + 2 * (len(widths) - 1) > there:
+        able = [n for n, wide in enumerate(widths) if wide > least[n]]
+        if not able:
+            _stack(lines, there)
+            return
+        widths[max(able, key=widths.__getitem__)] -= 1
     for number, line in enumerate(lines):
-        folded = [textwrap.wrap(cell, max(wide, 1)) or [""] for cell, wide in zip(line, widths, strict=True)]
-        for part in range(max(map(len, folded))):
-            cells = (cell[part] if part < len(cell) else "" for cell in folded)
-            say("  ".join(f"{cell:<{wide}}" for cell, wide in zip(cells, widths, strict=True)).rstrip())
+        cells = [folded(cell, wide) for cell, wide in zip(line, widths, strict=True)]
+        for parts in zip_longest(*cells, fillvalue=""):
+            print_raw("  ".join(f"{part:<{wide}}" for part, wide in zip(parts, widths, strict=True)).rstrip())
         if number == 0:
-            say("  ".join("-" * wide for wide in widths))
+            print_raw("  ".join("-" * wide for wide in widths))
+
+
+def _stack(lines: Sequence[Sequence[str]], columns: int) -> None:
+    """Print the rows of a table below each other: what each is of, then what is in its other columns."""
+    headings, *rows = lines
+    first = 1 if headings[0] else 2  # a column without a heading counts the rows
+    for row in rows:
+        told = [f"{name}: {cell}" for name, cell in zip(headings[first:], row[first:], strict=True) if cell]
+        for line in (*folded("  ".join(row[:first]), columns), *folded(f"    {'; '.join(told)}", columns)):
+            print_raw(line)
 
 
 def complain(sentence: str) -> None:
@@ -187,7 +228,8 @@ class _Bar:
         text = f"{self._label}: {done} of {total} after {_minutes(taken)}{left}"
         if is_seen:
             self.is_drawn = True
-            _draw(f"{'█' * (_BAR * done // max(total, 1)):<{_BAR}} {text}")
+            wide = max(0, min(_BAR, shutil.get_terminal_size().columns - len(text) - 2))
+            _draw(f"{'█' * (wide * done // max(total, 1)):<{wide}} {text}")
         else:
             _write_error(f"{harmless(text)}\n")
 

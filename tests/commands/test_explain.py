@@ -1,14 +1,17 @@
 """`neurosym explain` prints or writes the meaning of symbols from whatever of a domain folder is there."""
 
+import pytest
 from command_line import neurosym, refusal
 from shipped import FOLDER, GROUNDING
 from tables import table
 
-from neurosym.commands.tables import explanation_page
+from neurosym.choices import DOMAINS, shipped_domain
+from neurosym.commands.tables import explanation_page, show_screen
 from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.report.explanation import explain_folder
+from neurosym.report.symbols import Explanation, SymbolExplanation
 from neurosym.stages.folder import DomainFolder
 
 
@@ -21,7 +24,7 @@ def test_shipped_domain_is_explained_under_its_own_names():
 
 
 def test_command_prints_every_symbol_and_what_to_type_next(kept, capsys):
-    assert neurosym("explain", kept) == 0
+    assert neurosym("explain", kept, "--all") == 0
     said = capsys.readouterr().out
     operators = OperatorTable.load(kept / "primitives.json")
     for primitive in operators.primitives:
@@ -29,6 +32,36 @@ def test_command_prints_every_symbol_and_what_to_type_next(kept, capsys):
     for category in operators.categories:
         assert f"Object symbol {category.symbol}: {category.name}" in said
     assert "next: neurosym show" in said
+
+
+@pytest.mark.parametrize("name", DOMAINS)
+def test_what_a_shipped_domain_learned_fits_one_screen(name, capsys):
+    assert neurosym("explain", shipped_domain(name)) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) <= 40
+    assert max(map(len, lines[:-1])) <= 80  # the last one names the folder
+    table = OperatorTable.load(shipped_domain(name) / "primitives.json")
+    for category in table.categories:
+        line = next(line for line in lines if line.startswith(f"{category.symbol} "))
+        sizes = [round(1000 * mean) for mean in category.feature_means[:3]]
+        assert f"{category.name} " in line
+        assert f"{category.share:.0%} " in line
+        assert "{} mm deep, {} wide, {} high, ".format(*sizes) in line
+    for symbol in table.symbols:
+        of_symbol = [one for one in table.operators if one.primitive == symbol]
+        rate = sum(one.successes for one in of_symbol) / sum(one.trials for one in of_symbol)
+        line = next(line for line in lines if line.startswith(f"{symbol} "))
+        assert line.endswith(f"{rate:.0%}")
+        assert of_symbol[0].name.partition(f"-{symbol}")[0] in line
+    assert lines[-1].endswith(f"--symbol {table.symbols[0]}")
+
+
+def test_more_symbols_than_a_screen_has_room_for_are_counted(capsys):
+    many = tuple(SymbolExplanation(f"{n:05b}", "lift (50% of objects)", "") for n in range(32))
+    show_screen(Explanation(("", "Thus."), many, many))
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) <= 38
+    assert [line for line in lines if line.startswith("and ")] == ["and 24 more", "and 16 more"]
 
 
 def test_one_symbol_may_be_asked_for_by_its_bits_or_its_name(kept, capsys):
@@ -44,7 +77,7 @@ def test_one_symbol_may_be_asked_for_by_its_bits_or_its_name(kept, capsys):
 
 
 def test_operator_left_out_is_printed_with_its_reason(folder, capsys):
-    assert neurosym("explain", folder) == 0
+    assert neurosym("explain", folder, "--all") == 0
     said = " ".join(capsys.readouterr().out.split())
     learned = Grounding.load(folder / "grounding.json")
     assert learned.left_out
@@ -62,7 +95,7 @@ def test_operator_left_out_is_printed_with_its_reason(folder, capsys):
 
 def test_table_of_operators_alone_is_enough(tmp_path, capsys):
     write_json(tmp_path / "primitives.json", table())
-    assert neurosym("explain", tmp_path) == 0
+    assert neurosym("explain", tmp_path, "--all") == 0
     said = capsys.readouterr().out
     assert "There is no world.toml here" in said
     assert "in the domain" not in said

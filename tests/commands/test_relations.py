@@ -113,7 +113,7 @@ def test_explanation_says_what_states_kinds_and_actions_mean(tmp_path, capsys):
     (folder / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
     table = toy_domain.grounding().operators
     (folder / "primitives.json").write_bytes(msgspec.json.encode(table))
-    assert neurosym("explain", folder) == 0
+    assert neurosym("explain", folder, "--all") == 0
     said = " ".join(capsys.readouterr().out.split())
     assert "one object bears another in rests-on-001, lies-in-010. Of 3 operators on pairs, 2 are in" in said
     assert "Relating symbol 01: brings pairs to rests-on-001, lies-in-010" in said
