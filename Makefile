@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-bits evaluate-planners evaluate-foreign evaluate-scale evaluate-studio faults tutorial architecture pictures docs clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-planners evaluate-foreign evaluate-scale evaluate-studio faults tutorial architecture pictures films docs clean
 
 install: $(VENV)/.installed
 
@@ -78,15 +78,11 @@ evaluate-places: install
 evaluate-relations: install
 	$(BIN)/python -m tools.benchmarks.relations.evaluate
 
-# How many bits the data carry, over seeds, into docs/results/bits.*; goes on where it was interrupted.
-evaluate-bits: install
-	$(BIN)/python -m tools.benchmarks.planning.bits
-
 # How far it goes (rows, symbols, objects), into docs/results/scale.*; goes on where it was interrupted.
 evaluate-scale: install
 	$(BIN)/python -m tools.benchmarks.scale.evaluate
 
-# Kills, full disks, two at once, low limits and clocks that jump, into docs/results/faults.*; goes on where it was
+# Kills, full disks, two at once and low limits, into docs/results/faults.*; goes on where it was
 # interrupted. KILLS=5 for a glance.
 KILLS ?= 50
 faults: install
@@ -114,11 +110,12 @@ architecture: install
 pictures: install
 	$(BIN)/python -m tools.draw_docs
 
-# Which planner takes which encoding, into docs/results/planners.*; installs the planners first, and Tamer,
-# which takes no encoding. ENHSP needs Java.
+# Films a shipped run of each domain, into docs/images/: some minutes.
+films: install
+	$(BIN)/python -m tools.draw_films
+
+# How long the page is, and what Fast Downward makes of it, into docs/results/planners.json.
 evaluate-planners: install
-	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]' up-tamer
-	$(BIN)/python -m tools.benchmarks.planning.planner_matrix
 	$(BIN)/python -m tools.benchmarks.planning.one_page
 
 # What ten planners of the package index make of the printed files, called without neurosym, into

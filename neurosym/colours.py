@@ -1,6 +1,7 @@
 """Colours, each for one meaning wherever it is seen: categories of objects, in pictures, pages and films."""
 
 from collections.abc import Iterable, Sequence
+from itertools import cycle, islice
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
@@ -16,6 +17,8 @@ CATEGORY_COLOURS: tuple[Colour, ...] = (
 """Mint, maroon, lilac, purple, slate, lime, pink, orange: told apart under all three colour blindnesses."""
 OTHER: Colour = (138, 138, 138)
 """Of rarer categories than there are colours, and of objects whose category nobody knows."""
+NEUTRAL: tuple[Colour, ...] = ((112, 104, 94), (236, 233, 228), (78, 76, 74), (168, 158, 144))
+"""Greys and beiges of objects, one after another, where a world is asked for no categories."""
 
 
 class Palette:
@@ -64,3 +67,10 @@ class Painter(Protocol):
     def __call__(self, features: Float[np.ndarray, "M F"]) -> UInt8[np.ndarray, "M 3"]:
         """Return the colour of each object."""
         ...
+
+
+def painted(painter: Painter | None, features: Float[np.ndarray, "M F"]) -> UInt8[np.ndarray, "M 3"]:
+    """Return the colours of objects as a painter gives them, or neutral ones by their number."""
+    if painter:
+        return painter(features)
+    return np.array([*islice(cycle(NEUTRAL), len(features))], dtype=np.uint8).reshape(-1, 3)

@@ -38,6 +38,7 @@ from neurosym.world import (
 Result = TypeVar("Result")
 
 OPTIONAL = ("picture", "open_window")  # methods that a world may have besides
+SETTABLE = ("wanted_pictures", "painter")  # attributes that others set, if a world has them
 _ENDINGS: tuple[str, ...] = get_args(Disturbance)
 _KINDS_OF_REFERENCE: tuple[str, ...] = get_args(ReferenceKind)
 
@@ -89,8 +90,9 @@ class Guarded:
             self.picture = self._picture
         if hasattr(world, "open_window"):
             self.open_window = lambda: self._attempt("open_window", world.open_window)
-        if hasattr(world, "wanted_pictures"):
-            self.wanted_pictures = world.wanted_pictures
+        for name in SETTABLE:
+            if hasattr(world, name):
+                object.__setattr__(self, name, getattr(world, name))
 
     def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
         """Draw a scene; see `World.sample_scene`."""
@@ -139,7 +141,7 @@ class Guarded:
 
     def __setattr__(self, name: str, value: Any) -> None:
         object.__setattr__(self, name, value)
-        if name == "wanted_pictures":
+        if name in SETTABLE:
             self._attempt(name, lambda: setattr(self._world, name, value))
 
     def _picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:

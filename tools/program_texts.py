@@ -5,8 +5,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-_SAID = {"say", "arg", "comment"}
-"""Functions whose texts a user reads, besides what is raised."""
+_SAID = {"say", "arg", "comment"}  # functions whose texts a user reads, besides what is raised
 _BLOCK = re.compile(r"</(?:p|li|h\d|td|th|figcaption|summary|caption|dd|dt)>|{%.*?%}", flags=re.S)
 
 
@@ -15,19 +14,12 @@ def program_texts(root: Path) -> dict[str, list[str]]:
     package = root / "neurosym"
     modules = [ast.parse(path.read_text()) for path in sorted(package.rglob("*.py"))]
     commands = [ast.parse(path.read_text()) for path in sorted((package / "commands").glob("*.py"))]
+    domains, pages = root.glob("domains/*/domain*.pddl"), package.glob("report/templates/*.html")
     return {
         "messages and help": [text for module in modules for text in _said(module)],
         "help of commands": [text for module in commands for text in _about_commands(module)],
-        "comments of domains": [
-            text
-            for path in sorted(root.glob("domains/*/domain*.pddl"))
-            for text in _comments(path.read_text())
-        ],
-        "page of a domain": [
-            text
-            for path in sorted(package.glob("report/templates/*.html"))
-            for text in _shown(path.read_text())
-        ],
+        "comments of domains": [text for path in sorted(domains) for text in _comments(path.read_text())],
+        "page of a domain": [text for path in sorted(pages) for text in _shown(path.read_text())],
     }
 
 

@@ -16,8 +16,7 @@ from neurosym.stages.console import say, show_table
 from tools.program_texts import program_texts
 
 PAGES = ("README.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md", "docs/*.md")
-MEDIAN, MOST = 18, 35
-"""Words that the median sentence has at most, and 95 of a hundred."""
+MEDIAN, MOST = 18, 35  # words that the median sentence has at most, and 95 of a hundred
 PLAIN = {
     r"reckon\w*": "estimate",
     r"somebody's own|one's own": "custom",
@@ -27,8 +26,7 @@ PLAIN = {
     r"whilst": "while",
     r"aforementioned": "this",
     r"leverag\w+": "use",
-}
-"""Words that users do not read here, and what stands for them."""
+}  # words that users do not read here, and what stands for them
 _END = re.compile(r"(?<=[.!?])[\"')*_`]*\s+(?=[\"'(*_\[]*(?:[A-Z0-9]|`))|:\n")
 
 

@@ -13,33 +13,17 @@ from neurosym.operators import OperatorTable
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PRIMITIVES
 from neurosym.stages.problem_making import Asked
-from tools.relearn_tabletop import (
-    STAGES,
-    categories_table,
-    operators_table,
-    problems_table,
-    stages_table,
-    try_and_describe,
-)
+from tools import relearn_tabletop as described
+from tools.relearn_tabletop import STAGES, try_and_describe
 
 FOLDER = Path("domains/places")
 STEPS, PLACES, SEED = 8000, 2000, 1
 PLANNER = "fast-downward"
 TASKS: tuple[tuple[TaskKind, int, int], ...] = (
-    ("anywhere", 1, 3),
-    ("anywhere", 2, 2),
-    ("swap", 2, 2),
-    ("anywhere", 3, 1),
-    ("swap", 3, 1),
-    ("row", 3, 1),
-    ("row", 4, 2),
-    ("anywhere", 4, 2),
-    ("crowded", 3, 1),
-    ("crowded", 4, 2),
-    ("anywhere", 6, 1),
-    ("anywhere", 8, 2),
-)
-"""What problems ask for, with how many objects, and how many of them there are."""
+    *(("anywhere", 1, 3), ("anywhere", 2, 2), ("swap", 2, 2), ("anywhere", 3, 1), ("swap", 3, 1)),
+    *(("row", 3, 1), ("row", 4, 2), ("anywhere", 4, 2), ("crowded", 3, 1), ("crowded", 4, 2)),
+    *(("anywhere", 6, 1), ("anywhere", 8, 2)),
+)  # what problems ask for, with how many objects, and how many of them there are
 
 
 def main() -> None:
@@ -60,30 +44,28 @@ def sections(folder: DomainFolder) -> list[str]:
         "Objects that the hand can grasp are carried to their goals in one motion, wherever on the table "
         f"these are. The robot learned with the paper's budget. {STEPS:,} interactions are as in "
         f"[domains/tabletop](../tabletop/README.md). {PLACES:,} more were each aimed at a place drawn "
-        "from the whole table. That is one in five: one action is to be found that carries, "
-        "and the others have many "
-        "things to tell. `tools/relearn_places.py` writes this file from what it measured. Nothing in this "
-        "folder is edited by hand, and no problem was removed.",
+        "from the whole table. That is one in five: one action is to be found that carries, and the others "
+        "have many things to tell. `tools/relearn_places.py` writes this file from what it measured. Nothing "
+        "in this folder is edited by hand, and no problem was removed.",
         "## How it was made",
         f"`python -m tools.relearn_places`, that is `{command}` and then its problems. Minutes on 2 cores:",
-        stages_table(folder, (*STAGES[:3], *(f"{name}-places" for name in STAGES[:3]), STAGES[3])),
+        described.stages_table(folder, (*STAGES[:3], *(f"{name}-places" for name in STAGES[:3]), STAGES[3])),
         "## Object symbols",
         "Types: 0 solid (boxes, planks), 1 open at the top, 2 open at both ends (rings).",
-        categories_table(OperatorTable.load(folder / PRIMITIVES).categories),
+        described.categories_table(OperatorTable.load(folder / PRIMITIVES).categories),
         "## What carries",
         "What each action that is aimed at a place did to the objects of each category when it was "
         "rehearsed. The effect is where the object stands, seen from the place; the hand aims beside it by "
         "as much. *As promised*: within 50 mm of that. "
         "`neurosym explain` tells in words what pushes and lifts.",
-        operators_table(grounding.places.operators.operators, grounding),
+        described.operators_table(grounding.places.operators.operators, grounding),
         "## Problems",
         f"Problem number i is drawn with seed {SEED} + i. In *anywhere*, goals lie all over the table, at "
-        "least 15 cm away. In *swap*, two or three objects change places. A *row* goes across the "
-        "table, and in a "
-        "*crowd* objects stand within 5 cm of the next. Objects are of all shapes; some can only be pushed. "
-        "*Reached*: whether every object ended within 50 mm of its goal in the simulator, planned anew where "
-        "a step did something else. Breadth-first search knows no places, and is not asked.",
-        *problems_table(folder, (PLANNER,)),
+        "least 15 cm away. In *swap*, two or three objects change places. A *row* goes across the table, "
+        "and in a *crowd* objects stand within 5 cm of the next. Objects are of all shapes; some can only be "
+        "pushed. *Reached*: whether every object ended within 50 mm of its goal in the simulator, planned "
+        "anew where a step did something else. Breadth-first search knows no places, and is not asked.",
+        *described.problems_table(folder, (PLANNER,)),
     ]
 
 

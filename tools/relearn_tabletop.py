@@ -56,14 +56,7 @@ def try_and_describe(
     asked: Callable[[DomainFolder], Mapping[str, Asked]],
     planners: Sequence[str],
 ) -> None:
-    """Try problems in a domain that was learned, and describe it; what was done is not done again.
-
-    Args:
-        path: The domain folder, after which the domain is called.
-        sections: Writes what is to be said of it.
-        asked: Says what is asked for in each problem.
-        planners: Who plans.
-    """
+    """Try problems in a domain folder that was learned, and describe it; what was done is not done again."""
     folder = DomainFolder(path)
     if Grounding.load(folder / GROUNDING).name != path.name:
         folder.perform(compile_stage(folder, cell=CELL, name=path.name), again=True)
@@ -138,16 +131,12 @@ def _training(folder: DomainFolder) -> str:
 
 def categories_table(categories: tuple[Category, ...]) -> str:
     """Say which objects are in which category."""
-    rows = [
-        [category.symbol, category.name, f"{category.share:.0%}"]
-        + [
-            f"{1000 * mean:.0f} ± {1000 * spread:.0f}"
-            for mean, spread in zip(category.feature_means[:3], category.feature_spreads[:3], strict=True)
-        ]
-        + [f"{category.feature_means[3]:.1f}"]
-        for category in categories
-        if category.share
-    ]
+    rows = []
+    for category in (one for one in categories if one.share):
+        *means, kind = category.feature_means
+        pairs = zip(means, category.feature_spreads, strict=False)
+        sizes = [f"{1000 * mean:.0f} ± {1000 * spread:.0f}" for mean, spread in pairs]
+        rows.append([category.symbol, category.name, f"{category.share:.0%}", *sizes, f"{kind:.1f}"])
     return markdown_table(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", "mean type"], rows)
 
 

@@ -22,24 +22,14 @@ from tools.relearn_places import PLACES, PLANNER, SEED, STEPS
 from tools.relearn_tabletop import STAGES, problems_table, stages_table, try_and_describe
 
 FOLDER = Path("domains/towers")
-RELATIONS = 10_240
-"""Interactions that are aimed at other objects."""
-TASKS: tuple[tuple[AnyTask, int, int, int], ...] = (
-    ("tower", 2, 2, 2),
-    ("tower", 4, 3, 2),
-    ("tower", 6, 3, 2),
-    ("tower", 6, 4, 2),
-    ("tower", 8, 4, 1),
-    ("boxes", 4, 3, 2),
-    ("boxes", 6, 3, 2),
-    ("unstack", 5, 3, 2),
-    ("unstack", 6, 3, 1),
-    ("exchange", 4, 3, 1),
-    ("exchange", 6, 3, 1),
-    ("anywhere", 4, 3, 1),
-    ("anywhere", 8, 3, 1),
-)
-"""What problems ask for, with how many objects, how high towers are, and how many of them there are."""
+RELATIONS = 10_240  # interactions that are aimed at other objects
+TASKS: dict[AnyTask, tuple[tuple[int, int, int], ...]] = {
+    "tower": ((2, 2, 2), (4, 3, 2), (6, 3, 2), (6, 4, 2), (8, 4, 1)),
+    "boxes": ((4, 3, 2), (6, 3, 2)),
+    "unstack": ((5, 3, 2), (6, 3, 1)),
+    "exchange": ((4, 3, 1), (6, 3, 1)),
+    "anywhere": ((4, 3, 1), (8, 3, 1)),
+}  # what problems ask for, with how many objects, how high towers are, and how many of them there are
 RESTING: tuple[AnyTask, ...] = ("tower", "unstack", "exchange")
 """These ask for the state in which targets rest on their references, and not for any."""
 _MOST_OPERATORS = 40
@@ -55,26 +45,25 @@ def main() -> None:
 def asked_for(folder: DomainFolder) -> dict[str, Asked]:
     """Say what is asked for in each problem."""
     resting = state_called("rests-on", folder)
-    every = [(kind, objects, height) for kind, objects, height, count in TASKS for _ in range(count)]
-    return {
-        f"{kind}-{objects}-{number:02d}": Asked(
+    every = [(kind, *size) for kind, rows in TASKS.items() for *size, count in rows for _ in range(count)]
+    found = {}
+    for number, (kind, objects, height) in enumerate(every, start=1):
+        asked = Asked(
             objects, seed=SEED + number, task=kind, height=height, state=resting * (kind in RESTING)
         )
-        for number, (kind, objects, height) in enumerate(every, start=1)
-    }
+        found[f"{kind}-{objects}-{number:02d}"] = asked
+    return found
 
 
 def take_places(learned: Path, folder: Path) -> None:
     """Begin a domain folder with what another one learned of single objects, unless there is one."""
-    if folder.exists():
-        return
-    before = DomainFolder(learned).manifest()
-    stages = {name: one for name, one in before.stages.items() if name.split("-")[0] in STAGES[:3]}
-    for one in stages.values():
-        for name in (*one.inputs, *one.outputs):
+    if not folder.exists():
+        before = DomainFolder(learned).manifest().stages
+        stages = {name: one for name, one in before.items() if name.split("-")[0] in STAGES[:3]}
+        for name in [name for one in stages.values() for name in (*one.inputs, *one.outputs)]:
             make_folder((folder / name).parent)
             shutil.copy(learned / name, folder / name)
-    write_json(folder / MANIFEST, Manifest(stages=stages))
+        write_json(folder / MANIFEST, Manifest(stages=stages))
 
 
 def state_called(word: str, folder: DomainFolder) -> str:
@@ -89,10 +78,8 @@ def sections(folder: DomainFolder) -> list[str]:
     grounding = Grounding.load(folder / GROUNDING)
     relations = grounding.relations
     assert relations is not None, "relations were learned"
-    command = (
-        f"neurosym run {folder.path} --steps {STEPS} --places {PLACES} --relations {RELATIONS} "
-        f"--seed {SEED} --problems 0"
-    )
+    sizes = f"--steps {STEPS} --places {PLACES} --relations {RELATIONS}"
+    command = f"neurosym run {folder.path} {sizes} --seed {SEED} --problems 0"
     names = [f"{name}{of}" for of in ("", "-places", "-relations") for name in STAGES[:3]]
     return [
         "# The tabletop domain, with places and relations",
@@ -118,9 +105,8 @@ def sections(folder: DomainFolder) -> list[str]:
         f"Problem number i is drawn with seed {SEED} + i. A *tower* shall be built of some of the objects, "
         "and in *boxes* half of them shall each be on or in one of its own. *Unstack* begins with a stack "
         "to be sorted so; in *exchange*, two things that others bear change places. These three ask "
-        "for the state in which things rest on others. In *anywhere*, "
-        "goals lie all over the table. *Reached*: whether the learned states say so at the end, with "
-        "replanning.",
+        "for the state in which things rest on others. In *anywhere*, goals lie all over the table. "
+        "*Reached*: whether the learned states say so at the end, with replanning.",
         *problems_table(folder, (PLANNER,)),
     ]
 

@@ -39,9 +39,8 @@ def main() -> None:
 
 def page() -> str:
     """Return the page."""
-    groups = (
-        f"- {title}: {', '.join(f'[{name}](#{name})' for name in group)}" for title, group in GROUPS.items()
-    )
+    links = {title: [f"[{name}](#{name})" for name in group] for title, group in GROUPS.items()}
+    groups = (f"- {title}: {', '.join(group)}" for title, group in links.items())
     sections = (section(name, command_named(name)) for name in SUMMARIES)
     return "\n\n".join([HEAD, "\n".join(groups), *sections]) + "\n"
 

@@ -37,7 +37,7 @@ GROUPS = {
         "compare": "Give the same drawn tasks to several planners, and judge each plan.",
     },
     "What was learned": {
-        "show": "Show an interaction, a primitive, an operator or a problem, in pictures or live.",
+        "show": "Show interactions, primitives, operators, problems or symbols, in pictures or live.",
         "explain": "Say in words what each symbol means: what is done, and which objects are alike.",
     },
 }

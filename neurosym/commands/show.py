@@ -50,28 +50,35 @@ def show(
     problem: Annotated[
         Optional[str], arg(metavar="NAME", help="Show a problem's start, with its goals transparently.")
     ] = None,
+    symbols: Annotated[
+        bool, arg(help="Draw which objects have which bits, and what each action does to them, as an SVG.")
+    ] = False,
     output: Annotated[
         Optional[Path],
         arg(help="Write a PNG, or an animated GIF, here and not in DIR/pictures; its ending decides."),
     ] = None,
     gui: Annotated[bool, arg(help="Show the motion live in a window instead.")] = False,
 ) -> int:
-    """Show an interaction, a primitive, an operator or a problem, in pictures or live.
+    """Show interactions, primitives, operators, problems or symbols, in pictures or live.
 
     The dots mark the action's waypoints, as in the paper: blue the first, green the second, red the third.
     """
-    from neurosym.worlds.world_file import read_world
+    from neurosym.stages.painting import painted_world
 
     domain = opened(folder)
-    if sum(chosen is not None for chosen in (interaction, primitive, operator, problem)) != 1:
+    if symbols + sum(chosen is not None for chosen in (interaction, primitive, operator, problem)) != 1:
         raise InvalidValue(
-            "Name one thing to show: --interaction I, --primitive CODE, --operator NAME or --problem NAME."
+            "Name one thing to show: --interaction I, --primitive CODE, --operator NAME, --problem NAME or "
+            "--symbols."
         )
-    if gui and (output or problem is not None):
-        raise InvalidValue("--gui shows a motion live and writes no file; leave out --output and --problem.")
-    check_file(output, "picture", ".png", ".gif")
-    world = read_world(domain.require(WORLD))()
-    if problem is not None:
+    if gui and (output or symbols or problem is not None):
+        what = "--symbols" if symbols else "--output and --problem"
+        raise InvalidValue(f"--gui shows a motion live and writes no file; leave out {what}.")
+    check_file(output, "picture", *((".svg",) if symbols else (".png", ".gif")))
+    world = painted_world(domain.require(WORLD))
+    if symbols:
+        _show_symbols(domain, world, output)
+    elif problem is not None:
         _show_problem(domain, world, domain.problem(problem), output)
     elif interaction is not None:
         _show_interaction(domain, world, interaction, output, gui)
@@ -79,6 +86,20 @@ def show(
         name = f"operator-{operator}" if operator is not None else f"primitive-{primitive}"
         _show_motions(domain, world, _learned(domain, world, primitive, operator), name, output, gui)
     return 0
+
+
+def _show_symbols(domain: DomainFolder, world: "World", output: Path | None) -> None:
+    from neurosym.grounding import Grounding
+    from neurosym.learning.network import EffectModel
+    from neurosym.report.symbol_map import atlas_of
+    from neurosym.report.symbol_sheet import symbol_sheet
+
+    grounding = Grounding.load(domain.require(GROUNDING))
+    categorise = EffectModel.load(domain.require(MODEL)).object_symbols
+    path = _picture_path(domain, "symbols", output, "svg")
+    write_atomically(path, symbol_sheet(atlas_of(world, categorise), grounding))
+    say(f"wrote {path}")
+    say_next(f"neurosym explain {quoted(domain.path)}")
 
 
 def _show_problem(domain: DomainFolder, world: "World", name: str, output: Path | None) -> None:
@@ -145,10 +166,10 @@ def _show_motions(
     return outcomes
 
 
-def _picture_path(domain: DomainFolder, name: str, output: Path | None) -> Path:
+def _picture_path(domain: DomainFolder, name: str, output: Path | None, ending: str = "png") -> Path:
     if output:
         return output
-    path = domain / f"{PICTURES}/{name}.png"
+    path = domain / f"{PICTURES}/{name}.{ending}"
     make_folder(path.parent)
     check_writable(path)
     return path

@@ -339,7 +339,8 @@ def run_stills(world: World, grounding: Grounding, problem: Problem, run: Run) -
         for nudge in (one for one in run.nudges if one.before_step == number):
             scene = nudged(scene, nudge, problem)
             captions[-1] += f"; then {nudge.object} was nudged"
-        ghostly = msgspec.structs.replace(problem, goals=start if number == len(performed) else {})
+        ghosts = start if number == len(performed) else {}
+        ghostly = msgspec.structs.replace(problem, goals=ghosts, relations=())
         frame, scene = _perform(world, ghostly, grounding, record, scene)
         recorded = np.array([record.positions[name] for name in problem.object_names])
         if np.abs(scene.positions - recorded).max() > _SAME:

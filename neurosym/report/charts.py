@@ -1,14 +1,15 @@
 """What was explored, and charts of it as geometry: what a template needs to draw areas and dots as SVG."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
 
 from neurosym.checks import Bool, Float
+from neurosym.colours import Palette
 from neurosym.data.interactions import Interactions
-from neurosym.operators import CARRIED, NO_EFFECT
+from neurosym.operators import CARRIED, NO_EFFECT, Symbol
 from neurosym.worlds.aims import PLACE_AXES
 
 _WIDTH, _HEIGHT = 520, 320
@@ -21,10 +22,12 @@ _BLOCK = 256
 _MOST_BLOCKS = 24
 _INSIDE = 0.99  # share of the points that the axes of a scatter plot must hold
 _MILLIMETRES = 1000
+_SIGNS = ("h0", "m-3-3l6 6m0-6l-6 6", "m-3 0h6m-3-3v6", "m-2-2h4v4h-4z", "m-2 0h4", "h0")
+"""How dots show what became of objects, as paths from their places, in the order of `what_became`."""
 
 Chart = dict[str, Any]
 """A chart as the template draws it: kind, title, the same as alt with its main figures, labels, ticks (place
-[pixels] and label), series (name, number of a colour, path), and its edges [pixels]."""
+[pixels] and label), series (name, number, path, colour or sign), and its edges [pixels]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,32 +67,50 @@ def chart(
     alt: str,
     axes: tuple[Axis, Axis],
     groups: Mapping[str, Float[np.ndarray, "P 2"]],
+    looks: Sequence[str] = (),
 ) -> Chart:
-    """Make a chart of the points in the axes, or of areas within outlines, in a colour for each group."""
+    """Make a chart of the points in the axes, or of areas within outlines.
+
+    Groups look differently: by a sign of `looks`, the rest of a path from its place, by a colour there, or by
+    their shades of grey.
+    """
     x, y = axes
     series = []
     for number, (name, points) in enumerate(groups.items()):
         shown = points[((points >= (x.low, y.low)) & (points <= (x.high, y.high))).all(1) | (kind == "area")]
         across, down = x.places(shown[:, 0], _LEFT, _RIGHT), y.places(shown[:, 1], _BOTTOM, _TOP)
         places = [f"{a:.1f} {b:.1f}" for a, b in zip(across, down, strict=True)]
-        path = "".join(f"M{at}h0" for at in places) if kind == "dots" else f"M{'L'.join(places)}Z"
+        look = looks[number] if looks else "h0"
+        paint, sign = (look, "h0") if look.startswith("#") else ("", look)
+        path = "".join(f"M{at}{sign}" for at in places) if kind == "dots" else f"M{'L'.join(places)}Z"
         if places:
-            series.append({"name": name, "colour": number, "path": path})
+            series.append({"name": name, "colour": number, "path": path, "paint": paint, "sign": sign})
     about = {"kind": kind, "title": title, "alt": alt, "x_label": x.label, "y_label": y.label}
     ticks = {"x_ticks": x.ticks(_LEFT, _RIGHT), "y_ticks": y.ticks(_BOTTOM, _TOP)}
     edges = {"left": _LEFT, "right": _RIGHT, "top": _TOP, "bottom": _BOTTOM}
     return {**about, **ticks, **edges, "width": _WIDTH, "height": _HEIGHT, "series": series}
 
 
-def explored(interactions: Interactions) -> dict[str, Any]:
-    """Describe a data set that has one row or more: how often what became of objects, and charts of it."""
+def explored(
+    interactions: Interactions, codes: Sequence[Symbol] = (), palette: Palette | None = None
+) -> dict[str, Any]:
+    """Describe a data set that has one row or more: how often what became of objects, and charts of it.
+
+    Args:
+        interactions: The data.
+        codes: The object symbol of each row, if there are any.
+        palette: Their colours.
+    """
     kinds, origin = what_became(interactions), interactions.origin
+    rows = {code: np.array(codes) == code for code in sorted(set(codes))}
+    paints = [palette.hex(code) for code in rows] if palette else []
+    by_code = list(_scatters(interactions, rows, paints))[:2] if palette and rows else []
     by = f"explored by {origin.get('strategy')}, seed {origin.get('seed', 'unknown')}"
     return {
         "count": len(interactions),
         "origin": by if "strategy" in origin else "data of one's own",
         "shares": [(name, float(rows.mean())) for name, rows in kinds.items() if rows.any()],
-        "charts": [_over_time(kinds), *_scatters(interactions, kinds)],
+        "charts": [_over_time(kinds), *_scatters(interactions, kinds, _SIGNS), *by_code],
     }
 
 
@@ -141,8 +162,11 @@ def _over_time(kinds: Mapping[str, Bool[np.ndarray, "P"]]) -> Chart:
     )
 
 
-def _scatters(interactions: Interactions, kinds: Mapping[str, Bool[np.ndarray, "P"]]) -> Iterator[Chart]:
+def _scatters(
+    interactions: Interactions, kinds: Mapping[str, Bool[np.ndarray, "P"]], looks: Sequence[str]
+) -> Iterator[Chart]:
     """Make charts of effects, and of where the hand went; none where vectors are not x, y and z."""
+    by = " by outcome" if looks is _SIGNS else " by symbol of the object"
     rows = np.unique(np.linspace(0, len(interactions) - 1, min(_MOST_DOTS, len(interactions))).astype(int))
     effects = _MILLIMETRES * interactions.effects[rows].astype(float)
     actions = _MILLIMETRES * interactions.actions[rows].astype(float)
@@ -151,7 +175,8 @@ def _scatters(interactions: Interactions, kinds: Mapping[str, Bool[np.ndarray, "
         return
 
     def dots(title: str, alt: str, axes: tuple[Axis, Axis], points: Float[np.ndarray, "P 2"]) -> Chart:
-        return chart("dots", title, alt, axes, {name: points[of[rows]] for name, of in kinds.items()})
+        groups = {name: points[of[rows]] for name, of in kinds.items()}
+        return chart("dots", title, alt, axes, groups, looks)
 
     def from_above(title: str, what: str, vectors: Float[np.ndarray, "P 3"]) -> Chart:
         points = np.column_stack([-vectors[:, 1], vectors[:, 0]])
@@ -159,12 +184,12 @@ def _scatters(interactions: Interactions, kinds: Mapping[str, Bool[np.ndarray, "
         axes = Axis("right [mm]", -_ASPECT * far, _ASPECT * far), Axis("forward [mm]", -far, far)
         return dots(title, f"{what}: right is to the right, forward is up.", axes, points)
 
-    yield from_above("Effects, seen from above", f"Where the objects of {shown} went", effects)
+    yield from_above(f"Effects{by}, seen from above", f"Where the objects of {shown} went", effects)
     level = np.hypot(effects[:, 0], effects[:, 1])
     low, high = np.quantile(effects[:, 2], [(1 - _INSIDE) / 2, (1 + _INSIDE) / 2]).tolist()
     room = 0.05 * (high - low) or 1.0
     yield dots(
-        "Effects, far and high",
+        f"Effects{by}, far and high",
         f"How far and how high the objects of {shown} were moved, at the end of the rise.",
         (
             Axis("distance along the table [mm]", 0.0, _reach(level)),
@@ -174,7 +199,7 @@ def _scatters(interactions: Interactions, kinds: Mapping[str, Bool[np.ndarray, "
     )
     if actions.shape[1] == 12:
         what = f"From the first to the last waypoint of the hand, in {shown}"
-        yield from_above("Actions, seen from above", what, actions[:, 8:11] - actions[:, :3])
+        yield from_above(f"Actions{by}, seen from above", what, actions[:, 8:11] - actions[:, :3])
 
 
 def _reach(distances: Float[np.ndarray, "P"]) -> float:

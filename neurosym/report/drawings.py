@@ -27,7 +27,8 @@ _HOLE = 0.15  # thickness of walls, as a share of the lesser side
 _ROUND = np.linspace(0, 2 * math.pi, 24, endpoint=False)
 _SQUARE = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
 _FAINT = 0.25  # opacity of an effect that never comes about as promised
-_NO_ARROW = NO_EFFECT / 2
+_VEIL = 0.5  # how much of what an effect happens to is veiled, so that the arrow is seen
+_HEAD, _BELOW = 8.0, 26.0  # length of the head of an arrow, and room below an object's middle [pixels]
 Polygon = Float[np.ndarray, "P 2"]
 
 
@@ -156,8 +157,13 @@ def seen(points: Float[np.ndarray, "P 3"]) -> Polygon:
     )
 
 
-def _solid(features: Sequence[float], colour: Colour, at: tuple[float, float], scale: float) -> str:
-    """Draw a body of three sizes [m] and a type that stands at a place [pixels], a hole in it by its type."""
+def _solid(
+    features: Sequence[float], colour: Colour, at: tuple[float, float], scale: float, veil: float = 0.0
+) -> str:
+    """Draw a body of three sizes [m] and a type that stands at a place [pixels], a hole in it by its type.
+
+    A veil makes it paler.
+    """
     depth, width, height, kind = features
     is_round = kind >= 1.5
     outline = np.stack([np.cos(_ROUND), np.sin(_ROUND)], 1) if is_round else _SQUARE
@@ -170,19 +176,21 @@ def _solid(features: Sequence[float], colour: Colour, at: tuple[float, float], s
     def face(points: Polygon, light: float) -> str:
         return f'<path d="{_closed(points)}" fill="{hexed(colour, light)}"/>'
 
+    low, high = places(base, 0), places(base, height)
+    hull = _hull(np.vstack([low, high]))
     if is_round:
-        hull = _hull(np.vstack([places(base, 0), places(base, height)]))
         parts = [face(hull, 0.72)]
     else:
-        low, high = places(base, 0), places(base, height)
         front, side = np.array([1, 2]), np.array([0, 1])  # corners of the faces towards +x and -y
         parts = [
             face(np.vstack([low[edge], high[edge[::-1]]]), light)
             for edge, light in ((front, 0.82), (side, 0.62))
         ]
-    parts.append(face(places(base, height), 1.0))
+    parts.append(face(high, 1.0))
     if kind >= 0.5:
         parts.append(face(places(hole, height), 0.38))
+    if veil:
+        parts.append(f'<path d="{_closed(hull)}" fill="var(--card, #fff)" fill-opacity="{veil}"/>')
     edges = ' stroke="currentColor" stroke-opacity=".55" stroke-width=".7" stroke-linejoin="round"'
     return f"<g{edges}>{''.join(parts)}</g>"
 
@@ -215,7 +223,7 @@ def object_drawing(
 ) -> str:
     """Draw an object to scale, or a bar for each of its features if nobody knows what these mean."""
     told = ", ".join(f"{one.word} {one.told(value)}" for one, value in zip(features, values, strict=True))
-    if _is_body(features):
+    if is_body(features):
         longest = max(one.high for one in features[:3])
         inner = _solid(values, colour, (width / 2, height * 0.62), width * 0.62 / longest)
     else:
@@ -234,38 +242,41 @@ def effect_drawing(
     is_held: bool,
     item: Sequence[float] = (),
     colour: Colour = OTHER,
-    reach: float = 0.26,
+    scale: float = 400.0,
     width: int = 96,
-    height: int = 84,
+    height: int = 132,
 ) -> str:
     """Draw an effect as an arrow to scale: filled where the object is held, faint where it is unlikely.
 
-    Where nothing moves there is a dot; a thin line from the tip stands on the table below it. Effects along
-    axes of another number than three are bars.
+    Where nothing moves there is a dot; a thin line from the tip stands on the table below it. What would not
+    fit moves aside, and is cut off above `effect_room`. Effects along other than three axes are bars.
 
     Args:
         effect: How far the object moves [m].
         told: The effect in words, for those who do not see it.
         chance: How likely it is.
         is_held: Whether the object ends in the hand.
-        item: Features of an object that it happens to, drawn beneath if it has three sizes and a type.
+        item: Features of an object that it happens to, drawn palely beneath; none if it is no `is_body`.
         colour: The object's colour.
-        reach: The longest effect that fits [m].
+        scale: How long a metre is [pixels].
         width: Of the drawing [pixels].
         height: Of the drawing [pixels].
     """
     if len(effect) != 3:
-        inner = _bars([one / reach for one in effect], "currentColor", width, height, low=-1.0)
+        inner = _bars([one * scale / width for one in effect], "currentColor", width, height, low=-1.0)
         return _small(f'<g opacity="{_opacity(chance):.2f}">{inner}</g>', told, width, height)
-    scale, at = (height - 34) / (reach * math.cos(_PITCH)), np.array([width / 2, height - 24.0])
-    body = _solid(item, colour, tuple(at), scale) if len(item) == 4 else ""
-    middle = item[2] / 2 if len(item) == 4 else 0.0
+    depth, breadth, tall = (*item, 0.0, 0.0, 0.0)[:3]
+    flat = scale * seen(np.array([(depth, breadth, 0), (depth, -breadth, 0), (effect[0], effect[1], 0)]))
+    wide = np.abs(flat[:2, 0]).max() / 2
+    left, right = min(-wide, flat[2, 0] - _HEAD), max(wide, flat[2, 0] + _HEAD)
+    at = np.array([width / 2 - max(0.0, right - width / 2) + max(0.0, -left - width / 2), height - _BELOW])
+    body = _solid(item, colour, tuple(at), scale, _VEIL) if item else ""
     start, end, foot = at + scale * seen(
-        np.array([(0, 0, middle), np.add(effect, (0, 0, middle)), (effect[0], effect[1], 0)])
+        np.array([(0, 0, tall / 2), np.add(effect, (0, 0, tall / 2)), (effect[0], effect[1], 0)])
     )
-    if float(np.linalg.norm(effect)) < _NO_ARROW * 2:
+    if float(np.linalg.norm(effect)) < NO_EFFECT:
         x, y = start.tolist()
-        arrow = f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.2" fill="currentColor" stroke="var(--card, #fff)"/>'
+        arrow = f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3.6" fill="currentColor" stroke="var(--card, #fff)"/>'
     else:
         arrow = _arrow(start, end, is_filled=is_held)
         if effect[2] > 2 * NO_EFFECT:
@@ -273,7 +284,14 @@ def effect_drawing(
                 f'<path d="M{end[0]:.1f} {end[1]:.1f}L{foot[0]:.1f} {foot[1]:.1f}" stroke="currentColor" '
                 'stroke-opacity=".5" stroke-dasharray="1.5 2.5"/>' + arrow
             )
-    return _small(f'<g opacity="{_opacity(chance):.2f}">{body}{arrow}</g>', told, width, height)
+    return _small(f'{body}<g opacity="{_opacity(chance):.2f}">{arrow}</g>', told, width, height)
+
+
+def effect_room(effect: Sequence[float], item: Sequence[float], scale: float) -> int:
+    """Say how high the drawing of an effect must be, so that nothing is cut off [pixels]."""
+    depth, breadth, tall = (*item, 0.0, 0.0, 0.0)[:3]
+    tops = np.array([(-depth / 2, breadth / 2, tall), np.add(effect, (0, 0, tall / 2))])
+    return math.ceil(_BELOW + _HEAD - scale * float(seen(tops)[:, 1].min()))
 
 
 def _opacity(chance: float) -> float:
@@ -285,8 +303,8 @@ def _arrow(start: Polygon, end: Polygon, *, is_filled: bool) -> str:
     way = end - start
     length = float(np.hypot(*way)) or 1.0
     along, aside = way / length, np.array([-way[1], way[0]]) / length
-    size = 7.5
-    neck = end - min(size, length) * along
+    size = min(_HEAD, max(0.6 * length, 0.6 * _HEAD))
+    neck = end - size * along
     head = _closed(np.array([end, neck + 0.5 * size * aside, neck - 0.5 * size * aside]))
     shaft = f"M{start[0]:.1f} {start[1]:.1f}L{neck[0]:.1f} {neck[1]:.1f}"
     fill = "currentColor" if is_filled else "var(--card, #fff)"
@@ -298,7 +316,7 @@ def _arrow(start: Polygon, end: Polygon, *, is_filled: bool) -> str:
     )
 
 
-def _is_body(features: Sequence[Feature]) -> bool:
+def is_body(features: Sequence[Feature]) -> bool:
     """Say whether features are three sizes and a type."""
     return len(features) == 4 and all(one.is_length for one in features[:3]) and bool(features[3].choices)
 

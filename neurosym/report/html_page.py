@@ -14,6 +14,7 @@ import msgspec
 import numpy as np
 from PIL import Image
 
+from neurosym.colours import Palette
 from neurosym.errors import InvalidFile, InvalidValue, Progress, StageMissing, UnknownChoice
 from neurosym.evaluation.summary import comparisons_of
 from neurosym.execution.record import Run
@@ -25,6 +26,14 @@ from neurosym.pictures.film import Row, motion_stills, run_stills
 from neurosym.pictures.motions import surest_carriers
 from neurosym.problems import Problem
 from neurosym.report.charts import aimed_in_words, explored
+from neurosym.report.overview import (
+    atlas_of_folder,
+    kinds_of,
+    maps_of,
+    matrix_of,
+    promises_of,
+    share_kept,
+)
 from neurosym.report.symbols import effect_row
 from neurosym.stages import layout
 from neurosym.stages.folder import Claim, DomainFolder, Stage, rehearsal_options, versions
@@ -164,9 +173,9 @@ class _Picture:
 
     def make(self, path: Path) -> None:
         """Perform what is shown, and write the files into a domain folder."""
-        from neurosym.worlds.world_file import read_world
+        from neurosym.stages.painting import painted_world
 
-        row = self.draw(read_world(path / layout.WORLD)(), Grounding.load(path / layout.GROUNDING))
+        row = self.draw(painted_world(path / layout.WORLD), Grounding.load(path / layout.GROUNDING))
         frames = [Image.fromarray(one).resize(_STILL_SIZE, Image.Resampling.LANCZOS) for one in row.frames]
         buffer = io.BytesIO()
         strip = Image.fromarray(np.hstack([np.asarray(frame) for frame in frames]))
@@ -291,14 +300,23 @@ def gather(folder: DomainFolder, progress: Progress, *, workers: int = 1) -> dic
     places = found(layout.PLACE_INTERACTIONS, Interactions.load)
     report = found(layout.TRAINING, lambda path: read_json(path, TrainingReport))
     runs, plans = _plans_and_runs(folder)
+    atlas = atlas_of_folder(folder, interactions)
+    palette = Palette.of(table.categories) if table else Palette(atlas.shares() if atlas else ())
+    codes = atlas.symbols(interactions.features) if atlas and interactions else ()
+    uses = Counter(one.primitive for one in grounding.live) if grounding else Counter[str]()
     return {
         "name": folder.path.resolve().name,
         "path": str(folder.path),
         "explanation": explain_folder(folder) if table else None,
         **_pictures(folder, grounding, runs, progress, workers),
-        "data": explored(interactions) if interactions and len(interactions) else None,
+        "data": explored(interactions, codes, palette) if interactions and len(interactions) else None,
         "aimed": aimed_in_words(places) if places else "",
         "learned": report,
+        "kept": share_kept(report) if report and report.r2_direct > 0 else None,
+        "map": maps_of(atlas, palette) if atlas else None,
+        "kinds": kinds_of(table, atlas, palette) if table else (),
+        "matrix": matrix_of(table, atlas, palette, uses) if table else None,
+        "promises": promises_of(table, grounding) if table else None,
         "errors": error_table(report) if report else None,
         "operators": _operator_rows(table, grounding) if table else (),
         "compiled": grounding is not None,

@@ -119,6 +119,10 @@ class Atlas:
         after = symbols_of(self._categorise, changed)
         return sum(one != other for one, other in zip(self.codes, after, strict=True)) / len(after)
 
+    def symbols(self, features: Float[np.ndarray, "N F"]) -> tuple[Symbol, ...]:
+        """Return the codes of objects."""
+        return symbols_of(self._categorise, features)
+
     def settings(self, number: int) -> tuple[float, ...]:
         """Return the values of a feature worth drawing maps for: all, or a low, a middle and a high one."""
         feature = self.features[number]
@@ -241,7 +245,9 @@ def _loops(own: Bool[np.ndarray, "R C"]) -> list[Int[np.ndarray, "L 2"]]:
 
 def _innermost(own: Bool[np.ndarray, "R C"], middles: Float[np.ndarray, "R C 2"]) -> tuple[float, float]:
     """Find the middle of a cell that is farthest from all that are not set, and from the edges."""
-    inside, outside = middles[own], middles[~own]
+    around = np.pad(own, 1)
+    beside = around[:-2, 1:-1] | around[2:, 1:-1] | around[1:-1, :-2] | around[1:-1, 2:]
+    inside, outside = middles[own], middles[beside & ~own]
     edges = (
         np.hstack([inside, 1 - inside])
         if len(own) > 1

@@ -6,11 +6,11 @@ import sys
 import time
 from collections.abc import Callable, Container, Sequence
 from functools import cached_property
-from itertools import cycle
 
 import numpy as np
 
 from neurosym.checks import Float
+from neurosym.colours import Painter, painted
 from neurosym.contract import POSE_SECONDS, Part, PartKind, Pose, PoseSink
 from neurosym.errors import InvalidValue
 from neurosym.operators import DOT_COLOURS, draw_dots
@@ -33,17 +33,6 @@ FIELD_OF_VIEW = 36.0
 LIGHT_FROM = (0.5, 0.7, 1.6)
 LIGHT_DISTANCE = 4.0
 """Of the light from the origin [m]: near ones take longer to cast shadows, which are grown far too large."""
-OBJECT_COLOURS: tuple[Colour, ...] = (
-    (0.26, 0.53, 0.82, 1.0),
-    (0.36, 0.70, 0.36, 1.0),
-    (0.80, 0.33, 0.36, 1.0),
-    (0.58, 0.42, 0.75, 1.0),
-    (0.93, 0.75, 0.24, 1.0),
-    (0.35, 0.73, 0.75, 1.0),
-    (0.55, 0.40, 0.30, 1.0),
-    (0.45, 0.47, 0.50, 1.0),
-)
-"""Blue, green, red, purple, yellow, turquoise, brown, grey: item-01, item-02, ..., one for each object."""
 BORDER_COLOUR: Colour = (0.62, 0.56, 0.48, 1.0)
 BORDER_WIDTH = 0.004
 """Of the line around the table, beyond which an object is lost [m]."""
@@ -98,9 +87,10 @@ class Camera:
     """A camera that looks over the table at the robot, or what a window shows of one interaction.
 
     Args:
-        simulation: The scene, whose objects are coloured by their number.
+        simulation: The scene.
         ghosts: Centres at which the objects are shown once more, transparently [m].
         wanted: Numbers of the pictures to draw, counted from 0; every other is blank. All, if not given.
+        painter: Gives the colours of objects; by their number, if not given.
     """
 
     def __init__(
@@ -108,18 +98,20 @@ class Camera:
         simulation: Simulation,
         ghosts: Float[np.ndarray, "M 3"] | None = None,
         wanted: Container[int] | None = None,
+        painter: Painter | None = None,
     ):
         self._simulation, self._client = simulation, simulation.client
         self._lens = Lens(simulation.config)
         self._wanted, self._centres = wanted, ghosts
         self._taken = 0
         self._waypoints: Float[np.ndarray, "3 3"] | None = None
-        self._colours = [colour for colour, _ in zip(cycle(OBJECT_COLOURS), simulation.bodies, strict=False)]
+        self._scene = simulation.observe()
+        parts = (painted(painter, self._scene.features) / 255).tolist()
+        self._colours: list[Colour] = [(red, green, blue, 1.0) for red, green, blue in parts]
         bodies, colours = (simulation.table, *simulation.bodies), (TABLE_COLOUR, *self._colours)
         for body, colour in zip(bodies, colours, strict=True):
             self._client.changeVisualShape(body, -1, rgbaColor=colour)
         _draw_border(self._client, simulation.config)
-        self._scene = simulation.observe()
         self._is_live = self._client.getConnectionInfo()["connectionMethod"] == pybullet.GUI
         if self._is_live:
             self._began = time.monotonic() - simulation.ticks * simulation.config.time_step

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from neurosym.checks import Float
+from neurosym.colours import Painter
 from neurosym.contract import Part, PoseSink
 from neurosym.errors import InvalidValue
 from neurosym.sim.arm_check import check_arm, check_lift
@@ -51,6 +52,7 @@ class Tabletop:
     Attributes:
         wanted_pictures: Numbers of an interaction's pictures to draw, of one for each step of the
             simulation; if None, all are drawn that `config.frame_every` asks for (see `Sparing`).
+        painter: Gives the colours of objects in pictures, if set (see `Painted`).
         on_pose: Called with the poses of every motion, if set (see `Posed`).
     """
 
@@ -62,6 +64,7 @@ class Tabletop:
         self.action_box, self.lift_height = three_waypoints(), self.config.lift_height
         self.table, self.object_limits = self.config.table, self.config.object_limits
         self.wanted_pictures: Container[int] | None = None
+        self.painter: Painter | None = None
         self.on_pose: PoseSink | None = None
         self._client: Client | None = None
         check = check_reach if arm == UR10 else check_arm  # a test compares the UR10 with its file
@@ -94,7 +97,7 @@ class Tabletop:
         config = self.config if self.wanted_pictures is None else replace(self.config, frame_every=1)
         simulation = Simulation(self.client(), config, scene)
         try:
-            camera = Camera(simulation, ghosts, self.wanted_pictures) if on_frame else None
+            camera = Camera(simulation, ghosts, self.wanted_pictures, self.painter) if on_frame else None
             interaction = Interaction(simulation, self.arm, target, on_frame, camera, self.on_pose)
             return interaction.perform(np.asarray(action, dtype=float), put_down, reference)
         except pybullet.error as error:
@@ -112,7 +115,8 @@ class Tabletop:
 
     def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
         """Draw a scene without the arm (see `Pictured.picture`)."""
-        return Camera(Simulation(self.client(), self.config, scene), ghosts).picture()
+        simulation = Simulation(self.client(), self.config, scene)
+        return Camera(simulation, ghosts, painter=self.painter).picture()
 
     def robot_parts(self) -> tuple[Part, ...]:
         """Return what the arm is drawn with (see `Posed.robot_parts`)."""

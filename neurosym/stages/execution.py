@@ -23,11 +23,11 @@ from neurosym.problems import Problem
 from neurosym.stages.console import say, shown_doing
 from neurosym.stages.folder import DomainFolder, Stage
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
+from neurosym.stages.painting import painted_world
 from neurosym.stages.plan_records import record_beside
 from neurosym.stages.planning import load_problem, remarks_on_objects
 from neurosym.tasks.transition import hand_problem
 from neurosym.world import World
-from neurosym.worlds.world_file import read_world
 
 
 class Audience(Watcher, Protocol):
@@ -90,7 +90,7 @@ def execute_stage(
         replans = 0
 
     def work() -> None:
-        grounding, world = Grounding.load(folder.require(GROUNDING)), read_world(folder.require(WORLD))()
+        grounding, world = Grounding.load(folder.require(GROUNDING)), painted_world(folder.require(WORLD))
         own = load_problem(folder, name, world)
         problem = own.within(tolerance)
         if not folder.is_as_made(scene_file(name)):
@@ -168,7 +168,7 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
         InvalidFile: If the file is no record of a run, or names what the domain does not have.
     """
     run = read_json(record, Run)
-    grounding, world = Grounding.load(folder.require(GROUNDING)), read_world(folder.require(WORLD))()
+    grounding, world = Grounding.load(folder.require(GROUNDING)), painted_world(folder.require(WORLD))
     problem = load_problem(folder, run.problem, world)
     try:
         problem = problem.within(run.tolerance)

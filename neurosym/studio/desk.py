@@ -6,6 +6,7 @@ Whoever listens is told by topic what has changed. What cannot be done is said, 
 import math
 import threading
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from functools import wraps
 from typing import Concatenate, Literal, ParamSpec, TypeVar
 
@@ -15,7 +16,8 @@ from neurosym.contract import limits_of
 from neurosym.errors import InvalidValue, NeurosymError
 from neurosym.operators import Vector
 from neurosym.problems import Problem, RelationGoal
-from neurosym.studio import scene_editor
+from neurosym.report.symbol_map import WORDS
+from neurosym.studio import scene_editor, words
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Word
 from neurosym.tasks.supports import Borne, carried_along, loads_of
@@ -87,7 +89,7 @@ class Desk:
 
     def say(self, text: str, is_bad: bool = False) -> None:
         """Say a sentence on the page."""
-        self.word = Word(text, is_bad)
+        self.word = Word(words.nameless(text, self.library.folder.path), is_bad)
         self.tell("status")
 
     @told
@@ -133,7 +135,7 @@ class Desk:
         if why := scene_editor.why_no_goal(self.task(), goal):
             raise InvalidValue(f"{why}.")
         self._change_goal(name, scene_editor.with_relation(self._problem(), goal))
-        self.say(f"goal: {name} {state} {reference}")
+        self.say(f"goal: {name} {words.relation_in_words(state)[0]} {reference}")
 
     @at_rest
     def add_goal(self, name: str) -> None:
@@ -225,7 +227,8 @@ class Desk:
 
     def _check_limits(self, name: str, features: tuple[float, ...]) -> None:
         if limits := limits_of(self.library.world):
-            limits.check(name, features)
+            named = tuple(WORDS.get(one, one) for one in limits.feature_names)
+            replace(limits, feature_names=named).check(name, features)
 
     def _refuse_laden(self, name: str) -> None:
         if loads := loads_of(name, self._stacks()):

@@ -10,13 +10,17 @@ from neurosym.checks import Float
 from neurosym.contract import Part, Posed
 from neurosym.data.interactions import Interactions
 from neurosym.errors import NeurosymError, harmless
+from neurosym.execution.record import Run
+from neurosym.files import read_json
 from neurosym.grounding import Grounding
 from neurosym.operators import Symbol
 from neurosym.problems import Problem
+from neurosym.report.symbol_map import Atlas, atlas_of
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, RECORD, RUNS, WORLD
 from neurosym.stages.planning import load_problem
 from neurosym.stages.problem_making import sight_of_pairs
+from neurosym.studio.words import nameless
 from neurosym.tasks.supports import PairSight, with_pairs
 from neurosym.world import World
 from neurosym.worlds.world_file import read_world
@@ -52,7 +56,7 @@ class Library:
         try:
             return read()
         except NeurosymError as error:
-            if (said := harmless(str(error))) not in self.damage:
+            if (said := nameless(harmless(str(error)), self.folder.path)) not in self.damage:
                 self.damage.append(said)
             return None
 
@@ -73,6 +77,11 @@ class Library:
         """What was explored; None if it cannot be read, and `damage` says why if there is a file."""
         path = self.folder / INTERACTIONS
         return self._read(lambda: Interactions.load(path)) if path.is_file() else None
+
+    @cached_property
+    def atlas(self) -> Atlas:
+        """Which objects have which symbols."""
+        return atlas_of(self.world, self.categorise)
 
     @property
     def middle(self) -> tuple[float, float]:
@@ -122,11 +131,27 @@ class Library:
         return load_problem(self.folder, name, self.world)
 
     def first_problem(self) -> Problem | None:
-        """Return the first problem of the folder that can be read, if there is one."""
-        for name in self.folder.problem_names():
-            if problem := self._read(lambda name=name: self.load_problem(name)):  # type: ignore[misc]
-                return problem
-        return None
+        """Return the problem to begin with, if there is one that can be read.
+
+        Where relations are known it asks for a tower. It has about three objects, and one that was run with
+        success in about two steps is best.
+        """
+        return self._first
+
+    @cached_property
+    def _first(self) -> Problem | None:
+        names = self.folder.problem_names()
+        found = [self._read(lambda name=name: self.load_problem(name)) for name in names]  # type: ignore[misc]
+        return min(filter(None, found), key=self._strangeness, default=None)
+
+    def _strangeness(self, problem: Problem) -> tuple[bool, bool, int, int]:
+        """Say how little a problem is what a newcomer should see first."""
+        related = problem.related if self.grounding.relations else ()
+        is_tower = bool({target for target, *_ in related} & {on for _, on, _ in related})
+        paths = (self.folder / RUNS).glob(f"{problem.name}.*{RECORD}")
+        runs = (self._read(lambda path=path: read_json(path, Run)) for path in paths)  # type: ignore[misc]
+        steps = [abs(len(run.steps) - 2) for run in runs if run and run.reached]
+        return not is_tower, not related, abs(len(problem.objects) - 3), min(steps, default=99)
 
     def run_names(self) -> tuple[str, ...]:
         """List the records of runs that lie in the folder, without their ending."""

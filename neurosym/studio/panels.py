@@ -12,8 +12,10 @@ from neurosym.errors import counted
 from neurosym.pddl.strips_plan import action_for
 from neurosym.planners.planner import PlanStatus
 from neurosym.problems import Problem, RelationGoal
+from neurosym.report.symbol_map import WORDS
 from neurosym.studio import words
 from neurosym.studio.desk import MOST_OBJECTS, Topic
+from neurosym.studio.map_field import MapField
 from neurosym.studio.page import Panel, heard, set_content, set_options, set_value
 from neurosym.studio.plan_words import Line, lanes, lines_of, pddl_page, plan_list
 from neurosym.studio.session import placed, planners_here
@@ -39,20 +41,22 @@ class AboutPanel(Panel):
             return
         session, word = self.session, self.session.word
         self._back.disabled = not session.running.has_ended
-        name = session.problem.name if session.problem else "no object yet"
-        lines = [words.paragraph(f"· {name}", head=session.library.name)]
+        problem = session.problem
+        lines = [
+            words.paragraph(f"· {problem.name if problem else 'no object yet'}", head=session.library.name)
+        ]
         if word.text:
-            said = words.paragraph(word.text, words.BAD if word.is_bad else words.GOOD)
-            lines.append(f'<div role="status" aria-live="polite">{said}</div>')
+            lines.append(words.paragraph(word.text, words.BAD if word.is_bad else words.GOOD))
         else:
-            lines.append(
-                words.paragraph("New here? The panel Tour shows in six cards what this robot learned.")
-            )
+            lines.append(words.paragraph("New here? The panel Tour shows what this robot learned."))
         for ticket, what in ((session.planning, "plan"), (session.running.ticket, "run")):
             if ticket and (place := ticket.place):
                 lines.append(words.paragraph(f"waiting in line: {counted(place, what)} with this one"))
         wrong = [*session.complaints().values(), *(f"damaged: {one}" for one in session.library.damage)]
-        set_content(self._said, "".join([*lines, *(words.paragraph(why, words.BAD) for why in wrong)]))
+        lines += [words.paragraph(why, words.BAD) for why in wrong]
+        seen = words.scene_in_words(problem, session.library.grounding) if problem else "An empty table."
+        scene = f"<span hidden data-scene>{words.safe(seen)}</span>"  # read by the page's script
+        set_content(self._said, f'<div class="head" data-said>{"".join(lines)}</div>{scene}')
 
 
 _PAPER = "as in the paper"  # the kind of tasks that is drawn unless one is named
@@ -87,6 +91,7 @@ class TablePanel(Panel):
         heard(self._relation, self._relate)
         self._related = gui.add_html("")
         self._build_sizes()
+        self.map = MapField(self.page)
         self.button("Add another like it", self._add)
         self.button("Take it away", lambda: session.remove(self.page.selected))
         with gui.add_folder("Draw a task", expand_by_default=False):
@@ -110,7 +115,8 @@ class TablePanel(Panel):
         with self.gui.add_folder("What it is"):
             for name, bounds in zip(world.feature_names, limits.sizes if limits else (), strict=False):
                 low, high = (round(1000 * bound) for bound in bounds)
-                slider = self.gui.add_slider(f"{name} [mm]", low, high, 1, low, hint="A size of the object.")
+                label = f"{WORDS.get(name, name)} [mm]"
+                slider = self.gui.add_slider(label, low, high, 1, low, hint="A size of the object.")
                 heard(slider, self._resize)
                 self._sizes.append(slider)
             types = tuple(_TYPES.get(kind, f"{kind:g}") for kind in (limits.types if limits else (0.0,)))
@@ -134,13 +140,12 @@ class TablePanel(Panel):
         self._toggle.label = "Take its goal away" if self._has_goal(problem) else "Give it a goal"
         asked = next((goal for goal in problem.related if goal[0] == item.name), None)
         goals = (*session.goals_for(item.name), *filter(None, [asked]))
-        self._choices = {f"{state} {reference}": goal for goal in goals for _, reference, state in [goal]}
-        set_options(self._relation, (NOTHING, *self._choices), f"{asked[2]} {asked[1]}" if asked else NOTHING)
-        set_content(
-            self._related, words.bullets(f"Goal: {one} {state} {on}" for one, on, state in problem.related)
-        )
+        self._choices = {_as_option(goal): goal for goal in goals}
+        set_options(self._relation, (NOTHING, *self._choices), _as_option(asked) if asked else NOTHING)
+        set_content(self._related, words.goals_in_words(problem.related))
         set_value(self._name, problem.name)
         set_value(self._tolerance, round(1000 * problem.tolerance, 3))
+        self.map.refresh(topics)
         if "scene" in topics:
             for slider, size in zip(self._sizes, item.features, strict=False):
                 set_value(slider, round(1000 * size))
@@ -198,6 +203,12 @@ class TablePanel(Panel):
         kind: Any = None if self._kind.value == _PAPER else self._kind.value
         self.session.draw(int(self._count.value), int(self._seed.value), kind)
         set_value(self._seed, int(self._seed.value) + 1)
+
+
+def _as_option(goal: RelationGoal) -> str:
+    """Say a goal by relation of an object that is known: `on item-04 · 011`."""
+    said, bits = words.relation_in_words(goal[2])
+    return f"{said} {goal[1]} · {bits}"
 
 
 class PlanPanel(Panel):

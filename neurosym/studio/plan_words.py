@@ -7,7 +7,17 @@ from neurosym.colours import Palette
 from neurosym.grounding import Grounding
 from neurosym.pddl.strips import page
 from neurosym.report.symbols import displacement_in_words
-from neurosym.studio.words import DIM, bar, coloured, here, paragraph, safe, swatch, verb_of
+from neurosym.studio.words import (
+    DIM,
+    bar,
+    coloured,
+    here,
+    paragraph,
+    relation_in_words,
+    safe,
+    swatch,
+    verb_of,
+)
 from neurosym.tasks.options import put_named
 from neurosym.tasks.task import Task
 from neurosym.tasks.transition import PlanStep, apply, chance, cost, promise_of, start
@@ -49,7 +59,7 @@ def _said(steps: Sequence[PlanStep], task: Task) -> str:
     """Say what a primitive does, and where what it lifted is put down again."""
     step = steps[0]
     if put := put_named(step.operator, task.grounding):
-        return f"put {step.object} {put.state.name} {step.place}"
+        return f"put {step.object} {relation_in_words(put.state.name)[0]} {step.place}"
     verb, promise = verb_of(step.base), promise_of(step, task.problem, task.grounding).promise
     if step.place:
         return f"{verb} {step.object} to {step.place}"

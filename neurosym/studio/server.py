@@ -6,6 +6,7 @@ who knows the address of a page may use it. A request that another site sends is
 """
 
 import asyncio
+import gzip
 import hmac
 import os
 import secrets
@@ -28,6 +29,7 @@ from neurosym.studio.library import Library
 from neurosym.studio.page import Page
 from neurosym.studio.panels import AboutPanel, PlanPanel, RunPanel, TablePanel
 from neurosym.studio.session import Session
+from neurosym.studio.shell import bounds_of, page_html
 from neurosym.studio.studio_workers import Workers
 from neurosym.studio.symbols_panel import SymbolsPanel
 from neurosym.studio.tour import TourPanel
@@ -77,6 +79,7 @@ class Front:
     """The door, in a thread of its own; where other machines are heard, they must know its token.
 
     `open_page` makes a page and names it, `port_of` says where a page of some name is served on this machine.
+    `html` is what a browser is given there first, packed by gzip; all else is asked of the page.
     """
 
     def __init__(
@@ -85,8 +88,10 @@ class Front:
         port_of: Callable[[str], int | None],
         host: str = "127.0.0.1",
         port: int = 0,
+        html: bytes = b"",
     ):
         self._open_page, self._port_of, self._host, self.port = open_page, port_of, host, port
+        self._html = html
         self.is_local = is_loopback(host)
         self.token = "" if self.is_local else secrets.token_urlsafe(16)
         self._loop = asyncio.new_event_loop()
@@ -155,6 +160,12 @@ class Front:
             await _answer(writer, HTTPStatus.NOT_FOUND, "This page is closed.")
         elif head.path == f"{_PAGE}{page}" and not head.is_upgrade:
             await _answer(writer, HTTPStatus.SEE_OTHER, lines=[f"Location: {head.path}/"])
+        elif self._html and not rest and not head.is_upgrade:
+            is_packed = "gzip" in head.get("accept-encoding")
+            lines = ["Content-Encoding: gzip"] if is_packed else []
+            await _send(
+                writer, HTTPStatus.OK, self._html if is_packed else gzip.decompress(self._html), lines
+            )
         else:
             await _pass_on(head.for_page(f"/{rest}"), port, reader, writer)
 
@@ -224,6 +235,13 @@ async def _answer(
         '<!doctype html><html lang="en"><meta charset="utf-8"><title>neurosym studio</title>'
         f'<body style="{_STYLE}"><p>{escape(sentence)}</p><p><a href="/">A new page</a></p></body></html>'
     ).encode()
+    await _send(writer, status, text, lines)
+
+
+async def _send(
+    writer: asyncio.StreamWriter, status: HTTPStatus, text: bytes, lines: Sequence[str] = ()
+) -> None:
+    """Answer with a page, with more lines in the head."""
     head = [f"HTTP/1.1 {status.value} {status.phrase}", *lines, f"Content-Length: {len(text)}"]
     head += ["Content-Type: text/html; charset=utf-8", "Cache-Control: no-store", "Connection: close"]
     writer.write("\r\n".join([*head, "X-Content-Type-Options: nosniff", "", ""]).encode("latin-1") + text)
@@ -258,7 +276,8 @@ class Studio:
     ):
         self._library, self._problem = library, problem
         self._planners, self._runners = Workers(max(1, os.cpu_count() or 1)), Workers(_RUNS)
-        self.front = Front(self.open_page, self._port_of, host, port)
+        html = page_html(f"neurosym studio: {library.name}", bounds_of(library.grounding.table))
+        self.front = Front(self.open_page, self._port_of, host, port, html)
         self._pages: dict[str, Page] = {}
         self._lock = threading.RLock()
 

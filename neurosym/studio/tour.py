@@ -1,4 +1,4 @@
-"""The panel `Tour`: six cards for a newcomer, each with what it speaks of to be tried."""
+"""The panel `Tour`: cards for a newcomer, each with what it speaks of to be tried."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -33,14 +33,38 @@ def _perform(page: Page, number: int) -> None:
         page.session.say("Nothing is known to be done to this object; choose another one.", is_bad=True)
 
 
+def _doubt(page: Page, _: int) -> None:
+    """Try ten times what is least sure of all that can be done to any object."""
+    session, names = page.session, page.session.problem.object_names if page.session.problem else ()
+    known = [(one, name) for name in names if (one := session.unsure(name))]
+    if not known:
+        session.say("Nothing is known to be done to these objects; draw others.", is_bad=True)
+        return
+    promise, name = min(known, key=lambda one: abs(one[0].chance - 0.5))
+    page.select(name)
+    session.running.try_ten(name, promise.operator.name)
+
+
+def _stack(page: Page, number: int) -> None:
+    """Ask for a tower: for what an object can be put on or into, each time another of these goals."""
+    session, problem = page.session, page.session.problem
+    goals = [goal for name in (problem.object_names if problem else ()) for goal in session.goals_for(name)]
+    if goals := [goal for goal in goals if problem and goal not in problem.related]:
+        session.relate(*goals[number % len(goals)])
+    else:
+        session.say("Nothing on this table can be put on anything else; draw others.", is_bad=True)
+
+
 @dataclass(frozen=True, slots=True)
 class Card:
-    """One card: what it says, and what its button does, given how often it was pressed before."""
+    """One card: what it says, and what its buttons do, given how often it was pressed before."""
 
     title: str
     sentences: tuple[str, ...]  # words in braces are numbers of the domain
     button: str = ""
     act: Callable[[Page, int], object] = lambda *_: None
+    more: str = ""  # what the other button is called, if there is one
+    act_more: Callable[[Page, int], object] = lambda *_: None
 
 
 CARDS = (
@@ -61,8 +85,8 @@ CARDS = (
         (
             "A program that learns from examples, a neural network, predicts effects. But all that it may "
             "use of an object is {object_bits} bits, each 0 or 1. So it must choose what matters.",
-            "On the panel Table, change the size of an object with the sliders until one bit flips. The bars "
-            "show how far each bit is from its flip.",
+            "On the panel Table is a map: which sizes have which bits. Drag its dot over a border, and see "
+            "a bit flip. The margin of a bit says how far it is from that.",
         ),
     ),
     Card(
@@ -105,11 +129,27 @@ CARDS = (
             "Now the arm does it. The panel Run compares what each step promised with what happened.",
             "Where they part so far that the goal would be missed, the robot plans anew. Take an object by "
             "its body while it runs, and drag it elsewhere: before the next step it is there.",
+            "Some operators are unsure. Tried ten times, each time a few millimetres beside, such a one goes "
+            "as promised about as often as its chance says: dark dots did, pale diamonds did not.",
         ),
         "Run the plan",
         lambda page, _: page.session.running.begin(),
+        "Try what is unsure 10 times",
+        _doubt,
     ),
 )
+RELATIONS = Card(
+    "a relation",
+    (
+        "Pairs of objects have bits, too: one object can be on another, or in it. Nobody told the robot "
+        "these {states} kinds of pairs either. It put things on things, and looked how they stood then.",
+        "Drag the see-through goal of an object over another object and let go: that asks for a tower. Or "
+        "press the button. Then plan and run it, as on the cards before.",
+    ),
+    "Ask for a tower",
+    _stack,
+)
+"""A card for domains that know relations."""
 
 
 class TourPanel(Panel):
@@ -118,20 +158,23 @@ class TourPanel(Panel):
     def build(self) -> None:
         """Make the card and its buttons; what turns cards stays at one place."""
         self.number, self._presses = 0, 0
+        self.cards = (*CARDS, RELATIONS) if self.session.library.grounding.relations else CARDS
         turn = self.gui.add_button_group("Card", (BEFORE, NEXT))
         turn.on_click(lambda event: self.turn(1 if event.target.value == NEXT else -1))
+        self._do = self.button(self.cards[0].button, self.act, color="green")
+        self._stop = self.button("Stop", self.stop, color="red", disabled=True)
         self._text = self.gui.add_html("")
-        self._do = self.button("Show me", self.act, color="green")
-        self.button("Stop", self.stop, color="red")
+        self._more = self.button("More", lambda: self.act(is_more=True), color="green", visible=False)
 
     def turn(self, by: int) -> None:
         """Show another card, as soon as the page is drawn: two threads that draw would cross each other."""
-        self.number, self._presses = min(max(0, self.number + by), len(CARDS) - 1), 0
+        self.number, self._presses = min(max(0, self.number + by), len(self.cards) - 1), 0
         self.page.hear("status")
 
-    def act(self) -> None:
+    def act(self, *, is_more: bool = False) -> None:
         """Do what the card speaks of."""
-        CARDS[self.number].act(self.page, self._presses)
+        card = self.cards[self.number]
+        (card.act_more if is_more else card.act)(self.page, self._presses)
         self._presses += 1
 
     def stop(self) -> None:
@@ -142,7 +185,7 @@ class TourPanel(Panel):
     def text(self) -> str:
         """Return the card, with the numbers of the domain, as HTML."""
         grounding, data = self.session.library.grounding, self.session.library.interactions
-        table, card = grounding.operators, CARDS[self.number]
+        table, card = grounding.operators, self.cards[self.number]
         values = {
             "interactions": f"{len(data):,}" if data else "many",
             "object_bits": len(table.categories[0].symbol) if table.categories else "some",
@@ -150,15 +193,18 @@ class TourPanel(Panel):
             "categories": sum(1 for one in table.categories if one.share),
             "primitives": len(table.symbols),
             "operators": len(grounding.live),
+            "states": len(grounding.relations.states) if grounding.relations else 0,
         }
-        head = f"{self.number + 1} of {len(CARDS)}: {card.title}"
+        head = f"{self.number + 1} of {len(self.cards)}: {card.title}"
         parts = [f'<h3 style="margin:4px 0">{safe(head)}</h3>']
         return "".join((*parts, *(paragraph(text.format(**values)) for text in card.sentences)))
 
     def refresh(self, topics: set[Topic]) -> None:
         """Show the card, and let nothing be begun while something runs."""
         if topics & {"run", "status", "plan", "scene"}:
-            button = CARDS[self.number].button
-            self._do.label, self._do.visible = button or "Show me", bool(button)
-            self._do.disabled = self.session.is_running or self.session.planning is not None
+            card, is_busy = self.cards[self.number], self.session.is_running or bool(self.session.planning)
+            self._do.label, self._more.label = card.button or "(on the panel Table)", card.more or "More"
+            self._more.visible = bool(card.more)
+            self._do.disabled, self._more.disabled = is_busy or not card.button, is_busy
+            self._stop.disabled = not is_busy
             set_content(self._text, self.text())

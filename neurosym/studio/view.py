@@ -34,10 +34,10 @@ _INK, _PALE, _MISSED = (38, 42, 50), (200, 195, 188), (250, 250, 250)
 _THIN, _THICK = 0.0018, 0.004  # radius of the arrow of an operator that moves, and of one that lifts [m]
 _OVER, _FLAT = 0.004, 0.0015  # how far above the table paths and outlines are drawn [m]
 _KNOB, _PIN = 0.014, 0.07  # radius of what a goal is dragged by, and how far above the goal's top it is [m]
-_ABOVE, _ABOVE_MOVING, LABEL = 0.03, 0.09, (0.26, 0.035)
+_ABOVE, _ABOVE_MOVING, LABEL = 0.03, 0.09, (0.33, 0.045)
 """How far a label stands above its object's top at least, and above the centre of one that moves; about its
 width and height as seen from the front [m]."""
-_EYE, _LOOK, _LENS = (1.15, 0.0, 1.05), (-0.08, 0.0, 0.08), 0.72
+_EYE, _LOOK, _LENS = (1.6, 0.0, 1.66), (-0.02, 0.0, 0.56), 0.72
 """Where the camera is and looks at, from the middle of the table [m]; its angle of view [rad]."""
 _CANNOT = "cannot be here"
 _ARROWS = 0.05  # how far above their object arrows and dots are, so that nothing hides them [m]

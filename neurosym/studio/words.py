@@ -4,23 +4,28 @@ Every function escapes what it is given, so that a name of a stranger's file sta
 and dark pages alike.
 """
 
+import re
 from collections.abc import Iterable, Sequence
 from html import escape
 from itertools import zip_longest
+from pathlib import Path
 
 from neurosym.colours import Palette
 from neurosym.errors import counted, harmless
 from neurosym.execution.record import Replanning, Run, StepRecord
 from neurosym.grounding import Grounding
+from neurosym.problems import Problem, RelationGoal
 from neurosym.report.symbols import Promise, displacement_in_words
 from neurosym.stages.plan_records import PlanRecord
 
-GOOD, BAD, DIM = "#2a9d5c", "#d9534f", "#8a8a8a"
+GOOD, BAD, DIM = "var(--good)", "var(--bad)", "var(--dim)"
+"""Colours of the page's style, which suit light and dark."""
 _FAR, _NEAR = "#3d8bfd", "#e08a00"
 """Of bars of bits: far from a flip, and near to one."""
 _TABLE = "border-collapse:collapse;font-size:12px;width:100%"
 _CELL = "padding:2px 5px;border-bottom:1px solid rgba(128,128,128,.3);vertical-align:top;text-align:left"
 _LIT = "background:rgba(255,190,60,.25);"
+_PATH = re.compile(r"""(?<![\w/.<])(?:[A-Za-z]:)?[/\\](?:[^\s/\\'"<>:;,()]+[/\\])+""")
 _WIDEST = 10.0  # margin of a bit, before it is squashed, that fills the bar
 
 
@@ -29,9 +34,16 @@ def here(is_at_hand: bool, style: str = "") -> str:
     return f' style="{style};{_LIT}" aria-current="step"' if is_at_hand else f' style="{style}"' * bool(style)
 
 
+def nameless(text: str, *folders: Path) -> str:
+    """Return a text in which paths are names of files: whose machine it is, is nobody's business."""
+    for folder in folders:
+        text = text.replace(f"{folder}/", "")
+    return _PATH.sub("", text)
+
+
 def safe(text: object) -> str:
-    """Return a text such that a page shows it as it is."""
-    return escape(harmless(str(text)))
+    """Return a text such that a page shows it as it is, but for paths; see `nameless`."""
+    return escape(nameless(harmless(str(text))))
 
 
 def coloured(text: object, colour: str) -> str:
@@ -79,6 +91,36 @@ def plain_name(symbol: str, grounding: Grounding) -> str:
     categories = grounding.operators.categories
     name = next((one.name for one in categories if one.symbol == symbol), "of no known category")
     return name.removesuffix(f"-{symbol}")
+
+
+_RELATIONS = {"rests-on": "on", "sits-in": "in", "leans-on": "leaning on", "lies-under": "under"}
+
+
+def relation_in_words(state: str) -> tuple[str, str]:
+    """Return how a state of a pair is said, `on` or `in`, and its bits."""
+    name, _, bits = state.rpartition("-")
+    return (_RELATIONS.get(name, name.replace("-", " ")), bits) if bits.isdigit() else (state, "")
+
+
+def goals_in_words(goals: Iterable[RelationGoal]) -> str:
+    """Return goals by relation as HTML: `Goal: item-01 on item-04`, and the bits of the state."""
+    parts = ((name, other, *relation_in_words(state)) for name, other, state in goals)
+    lines = (
+        f"Goal: {safe(f'{name} {how} {other}')} {coloured(bits, DIM)}" for name, other, how, bits in parts
+    )
+    return "".join(f'<p style="margin:4px 0;font-size:13px">{line}</p>' for line in lines)
+
+
+def scene_in_words(problem: Problem, grounding: Grounding) -> str:
+    """Say what is seen of a table, for those who do not see it."""
+    things = [
+        f"{one.name}, {plain_name(one.category, grounding)} {one.category}, at x {one.position[0]:.2f}, "
+        f"y {one.position[1]:.2f} m"
+        for one in problem.objects
+    ]
+    goals = [f"{name} at x {x:.2f}, y {y:.2f} m" for name, (x, y, _) in problem.goals.items()]
+    goals += [f"{name} {relation_in_words(state)[0]} {other}" for name, other, state in problem.related]
+    return f"A robot's arm at a table. On it: {'; '.join(things)}. Goals: {'; '.join(goals) or 'none'}."
 
 
 def verb_of(operator: str) -> str:
@@ -205,7 +247,7 @@ def bits_row(symbol: str, margins: Sequence[float]) -> str:
         known = margins[number : number + 1]
         bar, shown = "".join(map(_margin_bar, known)), "".join(f"{margin:+.1f}" for margin in known)
         rows.append((f"bit {number + 1}", f"<b>{safe(bit)}</b>", bar, shown))
-    return table(("", "is", "how far from its flip", "before the step"), rows, label="bits of the object")
+    return table(("bit", "is", "margin", "its value"), rows, label="bits of the object")
 
 
 def _margin_bar(margin: float) -> str:

@@ -246,7 +246,9 @@ class Hosted(_Apart):
         return self._do("interact", scene, action, target, **options)  # type: ignore[no-any-return]
 
     def _do(self, method: str, *arguments: Any, on_frame: FrameSink | None = None, **options: Any) -> Any:
-        given = method, arguments, options, on_frame is not None
+        painter = vars(self).get("painter") if on_frame or method == "picture" else None
+        colours = painter(arguments[0].features) if painter else None
+        given = method, arguments, options, on_frame is not None, colours
         return self.call(method.strip("_"), _do, *given, on_frame=on_frame)
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -325,8 +327,7 @@ def _make(name: str, options: dict[str, Any], folder: Path) -> tuple[dict[str, A
         raise InvalidWorld(name, f"has patience = {patience!r}; valid: a time above 0 s")
     about = {attribute: getattr(_world, attribute) for attribute in _ATTRIBUTES}
     about |= {"references": references_of(_world), "object_limits": limits_of(_world)}
-    if hasattr(_world, "wanted_pictures"):
-        about["wanted_pictures"] = None
+    about |= {name: None for name in ("wanted_pictures", "painter") if hasattr(_world, name)}
     return about, float(patience), tuple(method for method in OPTIONAL if hasattr(_world, method))
 
 
@@ -335,8 +336,10 @@ def _sample_scene(rng: np.random.Generator, objects: int) -> tuple[Scene, Any]:
     return _world.sample_scene(rng, objects), rng.bit_generator.state
 
 
-def _do(method: str, arguments: tuple[Any, ...], options: dict[str, Any], is_filmed: bool) -> Any:
-    """Call another method of the world, and send its pictures on the way if it is filmed."""
+def _do(method: str, given: tuple[Any, ...], options: dict[str, Any], is_filmed: bool, colours: Any) -> Any:
+    """Call another method of the world, with its objects painted, and send its pictures if it is filmed."""
+    if colours is not None:
+        _world.painter = lambda _: colours
     if is_filmed:
         options["on_frame"] = lambda frame, phase: parent().send((np.array(frame), phase))
-    return getattr(_world, method)(*arguments, **options)
+    return getattr(_world, method)(*given, **options)

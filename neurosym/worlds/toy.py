@@ -27,6 +27,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from neurosym.checks import Float
+from neurosym.colours import Painter, painted
 from neurosym.contract import ObjectLimits
 from neurosym.errors import InvalidValue
 from neurosym.operators import draw_dots
@@ -51,7 +52,6 @@ LEAST_TRAVEL = 0.02
 PUSH_LENGTH = 0.08
 TABLE = Table(x=(0.4, 1.0), y=(-0.3, 0.3))
 PICTURE = (640, 480)
-COLOURS = ((214, 96, 58), (88, 122, 158), (92, 150, 92), (148, 108, 180))
 FRAMES = 8
 DOT_RADIUS = 6.0
 _ATTEMPTS = 1000
@@ -95,6 +95,9 @@ class ToyWorld:
 
     Args:
         config: What it is made of, if not as usual.
+
+    Attributes:
+        painter: Gives the colours of objects in pictures, if set (see `Painted`).
     """
 
     name = "toy"
@@ -104,6 +107,7 @@ class ToyWorld:
     def __init__(self, config: ToyConfig | None = None):
         self.config = config or ToyConfig()
         self.action_box, self.table = three_waypoints(), self.config.table
+        self.painter: Painter | None = None
 
     @property
     def object_limits(self) -> ObjectLimits:
@@ -203,19 +207,20 @@ class ToyWorld:
             corners = self._pixels(np.array([middle + size[:2] / 2, middle - size[:2] / 2]))
             canvas.rectangle(corners.ravel().tolist(), **look)
 
+        colours = [tuple(colour) for colour in painted(self.painter, scene.features).tolist()]
         table = self._pixels(np.array([self.table.x, self.table.y]).T[::-1])
         canvas.rectangle(table.ravel().tolist(), fill=(245, 240, 228), outline=(120, 110, 90))
         for index, (size, centre) in enumerate(zip(scene.features, scene.positions, strict=True)):
             height = max(0.0, float(centre[2] - size[2] / 2))
             draw(centre, size, 0.0, fill=(200, 192, 175))
-            draw(centre, size, height, fill=COLOURS[index % len(COLOURS)], outline=(40, 40, 40))
+            draw(centre, size, height, fill=colours[index], outline=(40, 40, 40))
             if size[3] >= 0.5:
                 draw(centre, 0.7 * size, height, fill=(250, 250, 250), outline=(40, 40, 40))
         for index, centre in enumerate([] if ghosts is None else ghosts):
             if np.all(np.isfinite(centre)):
                 size = scene.features[index]
                 height = max(0.0, float(centre[2] - size[2] / 2))
-                draw(centre, size, height, outline=COLOURS[index % len(COLOURS)], width=3)
+                draw(centre, size, height, outline=colours[index], width=3)
         return np.array(picture)
 
     def _pixels(self, points: Float[np.ndarray, "N D"]) -> Float[np.ndarray, "N 2"]:

@@ -1,13 +1,17 @@
 """`neurosym show` makes things happen again and pictures them; rows of pictures tell what a run does."""
 
 from dataclasses import replace
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
 import toy_domain
+import toy_relations
 from command_line import neurosym, refusal
 from PIL import Image
+from toy_relations import PUT_ON
 
+from neurosym.colours import Palette
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
@@ -124,10 +128,31 @@ def test_problem_is_shown_with_its_goals_unless_a_world_draws_nothing(folder):
         picture_problem(Blind(ToyConfig()), toy_domain.problem({}), folder / "x.png")
 
 
+def test_symbols_are_drawn_in_one_file_with_a_legend_and_an_effect_of_each_operator(folder, capsys):
+    assert neurosym("show", folder, "--symbols") == 0
+    path = folder / "pictures/symbols.svg"
+    assert f"wrote {path}" in capsys.readouterr().out
+    root, table = ElementTree.parse(path).getroot(), Grounding.load(folder / "grounding.json").operators
+    told = [one.text for one in root.iter() if one.text]
+    palette = Palette.of(table.categories)
+    for category in table.categories:
+        assert any(text.startswith(f"{category.name}, ") for text in told)
+        assert palette.hex(category.symbol) in path.read_text()
+    pairs = {(one.category, one.primitive): one for one in reversed(table.operators)}
+    assert all(any(text.startswith(f"{one.name}: ") for text in told) for one in pairs.values())
+    assert neurosym("show", folder, "--symbols", "--output", folder / "two.svg") == 0
+    assert path.read_bytes() == (folder / "two.svg").read_bytes()
+    (folder / "effect_model.safetensors").unlink()
+    assert "effect_model.safetensors" in refusal(capsys, "show", folder, "--symbols")
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([], "Name one thing to show: --interaction I, --primitive CODE, --operator NAME or --problem NAME"),
+        (
+            [],
+            "Name one thing to show: --interaction I, --primitive CODE, --operator NAME, --problem NAME or",
+        ),
         (["--interaction", "1024"], "no interaction 1024; the data have 1024 rows, 0 to 1023"),
         (["--primitive", "wave"], "no primitive 'wave'; valid: 0"),
         (["--operator", "wave"], "no operator 'wave'; valid: "),
@@ -135,6 +160,9 @@ def test_problem_is_shown_with_its_goals_unless_a_world_draws_nothing(folder):
         (["--interaction", "0", "--output", "x.jpg"], "x.jpg; name a file that ends in .png or .gif"),
         (["--interaction", "0", "--gui"], "The toy world has no window"),
         (["--interaction", "0", "--gui", "--output", "x.png"], "leave out --output"),
+        (["--symbols", "--problem", "task-01"], "Name one thing to show"),
+        (["--symbols", "--output", "x.png"], "x.png; name a file that ends in .svg"),
+        (["--symbols", "--gui"], "leave out --symbols"),
     ],
 )
 def test_impossible_request_is_refused_in_one_sentence(folder, arguments, message, capsys):
@@ -171,3 +199,11 @@ def test_run_is_shown_from_its_goals_to_its_start_if_it_goes_the_same_way():
     lifted = execute(world, asked, grounding, [PlanStep("lift-000-cube", "item-01")])
     with pytest.raises(InvalidValue, match="Step 1 of the run of errand goes another way"):
         run_stills(nearer, grounding, asked, lifted)
+
+
+def test_run_that_stacks_is_shown_with_its_start():
+    """What stood at the start is a ghost in the last picture, whatever relations are asked for."""
+    world, grounding, asked = toy_relations.WORLD, toy_relations.grounding(), toy_relations.tower()
+    plan = [PlanStep(PUT_ON, "item-03", "item-02"), PlanStep(PUT_ON, "item-01", "item-03")]
+    run = execute(world, asked, grounding, plan)
+    assert run_stills(world, grounding, asked, run).captions[-1].endswith("goal reached")

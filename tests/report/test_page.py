@@ -5,21 +5,27 @@ import shutil
 from html import escape
 from html.parser import HTMLParser
 
+import msgspec
 import numpy as np
 import pytest
+import toy_relations
 from command_line import contents, neurosym, refusal
+from toy_relations import PUT_IN, PUT_ON
 
+from neurosym.colours import Palette
 from neurosym.data.interactions import Interactions
 from neurosym.evaluation.summary import Comparison, Tally
 from neurosym.files import read_json, write_json
 from neurosym.grounding import Grounding
+from neurosym.learning.training import TrainingReport
 from neurosym.pictures.motions import surest_carriers
 from neurosym.report.charts import Axis, chart, explored, round_values, what_became
 from neurosym.report.html_page import gather, render, summaries
+from neurosym.report.overview import promises_of, share_kept
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.plan_records import PlanRecord
 
-VOID = {"meta", "link", "img"}
+VOID = {"meta", "link", "img", "input"}
 EVIL = "</pre><script>alert(1)</script><img src=x onerror=alert(1)>"
 
 
@@ -86,6 +92,55 @@ def test_page_shows_every_symbol_operator_and_plan(reported):
     assert any("goal transparent" in image["alt"] for image in checked(text).images)
     for operator in surest_carriers(grounding):
         assert f"{operator.name}: carried" in text
+
+
+def test_page_opens_with_map_kinds_matrix_and_promises(reported):
+    """Each setting has its map and the rule that shows it; each arrow leads to its action."""
+    text = (reported / "report.html").read_text()
+    opening = text[: text.index('id="plans"')]
+    radios = re.findall(r'<input type="radio" name="(tab-\d)" id="tab-\d-\d"( checked)?>', opening)
+    groups = {name: sum(one == name for one, _ in radios) for name, _ in radios}
+    assert groups
+    assert sum(bool(checked) for _, checked in radios) == len(groups)
+    maps = re.findall(r'<div class="drawn([^"]*)"><svg class="map"', opening)
+    assert len(maps) == len({*maps}) == np.prod([*groups.values()])
+    for one in maps:
+        values = re.findall(r"v(\d)-(\d)", one)
+        shown = "".join(f":has(#tab-{tab}-{value}:checked)" for tab, value in values)
+        assert f".maps{shown} .drawn{one.replace(' ', '.')} {{ display: block; }}" in opening
+    grounding = Grounding.load(reported / "grounding.json")
+    for category in grounding.operators.categories:
+        assert bool(category.share) == (f'">{category.symbol}</span><span class="word">' in opening)
+    for symbol in grounding.operators.symbols:
+        assert f'<a class="bits" href="#action-{symbol}">' in opening
+    assert 'class="promises"' in opening
+
+
+def test_promises_are_ranked_with_those_on_pairs_and_without_what_is_left_out():
+    grounding = toy_relations.grounding()
+    found = promises_of(grounding.operators, grounding)
+    told = {bar["name"]: (bar["kept"], bar["trials"]) for bar in found["bars"]}
+    assert (told[PUT_ON], told[PUT_IN]) == ((19, 20), (20, 20))
+    assert "miss-01-tray-10" not in told
+    assert found["worst"]["name"] == [*told][-1] == PUT_ON
+    assert promises_of(msgspec.structs.replace(grounding.operators, operators=()), None) is None
+
+
+def test_action_at_hand_is_shown_by_its_anchor_alone(reported):
+    """What is not at hand is not shown, and no script is needed to show it."""
+    text = (reported / "report.html").read_text()
+    assert ".chosen > .card { display: none;" in text
+    assert ".chosen > .card:target, .chosen:target > .card { display: block; }" in text
+    targets = set(re.findall(r'href="#([^"]+)"', text))
+    assert targets <= set(re.findall(r'id="([^"]+)"', text))
+
+
+def test_share_of_what_can_be_foreseen_is_within_its_bar():
+    def percent(through: float, direct: float) -> int:
+        report = TrainingReport(9, through, (), through, (), direct, (), None, {}, {}, {})
+        return share_kept(report)["percent"]
+
+    assert [percent(0.3, 0.4), percent(-1.0, 0.4), percent(0.5, 0.4)] == [75, 0, 100]
 
 
 def test_pictures_are_made_once_and_are_the_same_whatever_the_number_of_workers(reported, tmp_path):
@@ -171,6 +226,21 @@ def test_every_interaction_is_counted_once(toy_folder):
     assert sum(shares.values()) == pytest.approx(1.0)
     for rows in (1, 2, 300):
         assert len(explored(data[:rows])["charts"]) == 4
+
+
+def test_effects_are_drawn_by_outcome_without_colours_and_by_symbol_in_its_colour(toy_folder):
+    data = Interactions.load(toy_folder / "interactions.npz")
+    palette = Palette(["11", "10"])
+    codes = ["11" if wide else "10" for wide in data.features[:, 1] > np.median(data.features[:, 1])]
+    *by_outcome, above, beside = explored(data, codes, palette)["charts"]
+    assert len(by_outcome) == 4
+    assert {series["paint"] for chart in by_outcome for series in chart["series"]} == {""}
+    signs = [series["sign"] for series in by_outcome[1]["series"]]
+    assert len({*signs[:-1]}) == len(signs) - 1
+    for drawn in (above, beside):
+        assert {one["name"]: one["paint"] for one in drawn["series"]} == {c: palette.hex(c) for c in codes}
+    dots = [sum(one["path"].count("M") for one in chart["series"]) for chart in (by_outcome[1], above)]
+    assert dots[0] == dots[1]
 
 
 def test_dots_stand_where_their_points_are():

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from neurosym.colours import CATEGORY_COLOURS, Palette
-from neurosym.report.drawings import effect_drawing, ink_on, map_drawing, object_drawing
+from neurosym.report.drawings import effect_drawing, effect_room, ink_on, map_drawing, object_drawing
 from neurosym.report.symbol_map import Atlas, atlas_of
 from neurosym.worlds.toy import ToyWorld
 
@@ -68,6 +68,19 @@ def test_effects_are_arrows_to_scale_filled_where_held():
     assert 'opacity="1.00"' in drawn((0.1, 0, 0))
     assert 'opacity="0.25"' in drawn((0.1, 0, 0), chance=0)
     assert drawn((1, -1)).count("<rect") == 2
+
+
+@pytest.mark.parametrize(
+    "effect", [(0.0, 0.0, 0.26), (-0.04, 0.0, 0.0), (0.0, 0.2, 0.0), (-0.05, -0.15, 0.2)]
+)
+def test_arrows_stay_within_their_drawing_and_pushes_have_shafts(effect: tuple[float, ...]):
+    item = (0.1, 0.12, 0.08, 0.0)
+    height = effect_room(effect, item, 400.0)
+    drawn = effect_drawing(effect, told="x", chance=1.0, is_held=False, item=item, width=140, height=height)
+    shaft, head = re.findall(r'<path d="M([^"]*)"[^>]*stroke="currentColor" stroke-width', drawn)
+    points = [tuple(map(float, point)) for point in re.findall(r"([-\d.]+) ([-\d.]+)", f"{shaft}L{head}")]
+    assert all(0 <= x <= 140 and 0 <= y <= height for x, y in points)
+    assert np.hypot(*np.subtract(points[1], points[0])) > 4
 
 
 def test_text_can_be_read_on_every_category():

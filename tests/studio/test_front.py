@@ -11,6 +11,7 @@ import pytest
 
 from neurosym.errors import CannotStart, InvalidValue
 from neurosym.studio.server import Front, is_loopback
+from neurosym.studio.shell import page_html
 
 
 class Inner(BaseHTTPRequestHandler):
@@ -31,7 +32,9 @@ class Inner(BaseHTTPRequestHandler):
 
 
 @contextmanager
-def door(host: str = "127.0.0.1", most: int = 9, port: int = 0) -> Iterator[tuple[Front, list[str]]]:
+def door(
+    host: str = "127.0.0.1", most: int = 9, port: int = 0, html: bytes = b""
+) -> Iterator[tuple[Front, list[str]]]:
     """A door, and the pages behind it, which are all served in one place, so many at most."""
     inner, pages = HTTPServer(("127.0.0.1", 0), Inner), list[str]()
 
@@ -42,7 +45,7 @@ def door(host: str = "127.0.0.1", most: int = 9, port: int = 0) -> Iterator[tupl
         return pages[-1]
 
     threading.Thread(target=inner.serve_forever, daemon=True).start()
-    front = Front(open_page, lambda page: inner.server_port if page in pages else None, host, port)
+    front = Front(open_page, lambda page: inner.server_port if page in pages else None, host, port, html)
     try:
         front.start()
         yield front, pages
@@ -87,6 +90,22 @@ def test_page_is_asked_for_what_stands_after_its_name_and_others_are_said_with_a
         status, _, text = asked(front, "/")
         assert status == 400
         assert "&lt;another&gt;" in text
+
+
+def test_page_begins_with_our_own_html_and_asks_the_page_for_all_else():
+    bounds = {"Stands at x, y": [(0.3, 0.9)], "</script>": []}
+    with door(html=page_html("neurosym studio: <towers>", bounds)) as (front, _):
+        asked(front, "/")
+        status, headers, text = asked(front, "/page/page1/")
+        assert (status, headers["content-type"]) == (200, "text/html; charset=utf-8")
+        assert "<title>neurosym studio: &lt;towers&gt;</title>" in text
+        assert "Viser client" not in text
+        assert '<div id="cover" role="status">' in text
+        assert '<main id="root"></main>' in text
+        assert '{"Stands at x, y": [[0.3, 0.9]], "\\u003c/script>": []}' in text
+        assert asked(front, "/page/page1/", Origin="http://evil.example")[0] == 403
+        assert asked(front, "/page/page1/", Upgrade="websocket")[2].startswith("/ ")
+        assert asked(front, "/page/page1/a.js")[2].startswith("/a.js ")
 
 
 def test_requests_of_other_sites_and_what_is_no_request_are_refused():

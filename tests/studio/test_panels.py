@@ -1,8 +1,12 @@
 """What a page draws and says: meshes, labels, drags, tables in which nothing is markup, and the tour."""
 
+import re
+from contextlib import contextmanager
+
 import numpy as np
 import pytest
 import viser
+from places import SHIPPED
 from studio_pages import session_on, shipped_library, wait_for, workers
 
 from neurosym.colours import Palette
@@ -13,6 +17,7 @@ from neurosym.planners import PlanStatus
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.studio import words
 from neurosym.studio.page import Page
+from neurosym.studio.panels import TablePanel
 from neurosym.studio.plan_words import lanes, lines_of, pddl_page, plan_list
 from neurosym.studio.server import PANELS
 from neurosym.studio.tour import CARDS, TourPanel
@@ -95,15 +100,22 @@ def test_plans_and_runs_are_told_with_their_steps_and_promises():
     assert words.run_table(run.steps).count("as promised") == sum(step.as_promised for step in run.steps)
 
 
-@pytest.fixture
-def tour():
-    with workers() as both, session_on(LIBRARY, both) as session:
+@contextmanager
+def shown(library):
+    """A page that nobody looks at, by the kinds of its panels."""
+    with workers() as both, session_on(library, both) as session:
         server = viser.ViserServer("127.0.0.1", 0, verbose=False)
         page = Page(server, session, PANELS)
         session.running.steer(speed=0.0)
-        yield next(panel for panel in page.panels if isinstance(panel, TourPanel))
+        yield {type(panel): panel for panel in page.panels}
         page.close()
         server.stop()
+
+
+@pytest.fixture
+def tour():
+    with shown(LIBRARY) as panels:
+        yield panels[TourPanel]
 
 
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
@@ -131,3 +143,52 @@ def test_each_card_does_what_it_says_and_can_be_stopped(tour):
     assert "found a plan of" in planned
     assert "goal reached" in ran
     assert session.running.run.reached
+    tour.act(is_more=True)
+    wait_for(lambda: len(session.running.tries) == 10 and not session.running.is_active)
+    assert 0.2 < session.running.promise.chance < 0.8
+    assert re.match(r"\d+ of 10 as promised; promised ", session.word.text)
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_page_begins_with_a_tower_where_relations_are_known_and_a_card_asks_for_another():
+    assert len(LIBRARY.first_problem().objects) == 3
+    with shown(shipped_library(SHIPPED.with_name("towers"))) as panels:
+        tour, session = panels[TourPanel], panels[TourPanel].session
+        (top, middle, _), (below, *_) = session.problem.related
+        assert below in (top, middle)
+        assert len(tour.cards) == len(CARDS) + 1
+        tour.turn(99)
+        assert "Pairs of objects have bits" in tour.text()
+        before = session.problem.related
+        tour.act()
+        assert session.problem.related != before
+        assert re.fullmatch(r"goal: item-\d+ (on|in|leaning on) item-\d+", session.word.text)
+
+
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_place_on_the_map_is_the_size_of_the_object_and_decides_its_bits():
+    with shown(LIBRARY) as panels:
+        field, page, atlas = panels[TablePanel].map, panels[TablePanel].page, LIBRARY.atlas
+        assert [atlas.features[number].word for number in atlas.axes] == ["width", "depth"]
+        marks = atlas.map(page.item.features).marks
+        for code, mark in marks.items():
+            ends = [(axis.low, axis.high) for axis in (atlas.features[number] for number in atlas.axes)]
+            spot = [low + share * (high - low) for (low, high), share in zip(ends, mark, strict=True)]
+            field.take(" ".join(map(str, spot)))
+            assert page.item.category == code
+            assert page.item.features[1] == pytest.approx(spot[0], abs=6e-4)
+        assert len(marks) > 2
+        before = page.item
+        for told in ("0.05", "0.05 nan", "0.05 x", "0.05 9"):
+            field.take(told)
+        assert page.item == before
+        assert page.session.word.text == "item-01 has depth = 9 m; valid: 0.03 to 0.18 m."
+
+
+def test_paths_are_told_as_names_of_files_and_relations_in_words():
+    for path in ("/home/ann/x/world.toml", r"C:\Users\ann\world.toml", "/tmp/a b/c/world.toml"):
+        assert words.nameless(f"{path}: it is no 1/2 of /", "/tmp/a b/c") == "world.toml: it is no 1/2 of /"
+    assert "/home" not in words.paragraph("cannot read '/home/ann/x/y.npz'", head="/home/ann/")
+    assert words.relation_in_words("rests-on-011") == ("on", "011")
+    assert words.relation_in_words("apart-from-000") == ("apart from", "000")
+    assert "Goal: a in b " in words.goals_in_words([("a", "b", "sits-in-111")])

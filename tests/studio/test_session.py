@@ -348,7 +348,7 @@ def test_ghost_is_dragged_from_the_table_onto_an_object_and_off_again(page):
     drag(page, "item-01", (0.55, 0.15), (0.61, 0.1))
     assert session.problem.related == (("item-01", "item-02", REST),)
     assert session.problem.goals == {}
-    assert session.word.text == f"goal: item-01 {REST} item-02"
+    assert session.word.text == "goal: item-01 on item-02"
     assert session.ghosts()["item-01"] == pytest.approx((0.6, 0.1, 0.075))
     session.add_goal("item-04")
     drag(page, "item-04", (0.65, 0.15), (0.6, 0.1))  # the ghost of item-01 is uppermost there

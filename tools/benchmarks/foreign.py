@@ -8,17 +8,16 @@ foreign.md is written, and is not measured again while neither files nor call ch
 one thing of PDDL each told of the planners was measured once, and stays there.
 """
 
-import contextlib
 import hashlib
 import json
 import os
-import resource
 import signal
 import statistics
 import subprocess
 import tempfile
 import time
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
@@ -32,30 +31,21 @@ from neurosym.files import write_atomically
 from neurosym.pddl.compiler import Action, excerpt_for
 from neurosym.planners.unified_planning import validate_pddl
 from neurosym.stages.console import say
-from tools.benchmarks.foreign_calls.planners import (
-    COMPLAINED,
-    PLANNERS,
-    PRINTED,
-    Planner,
-    error_in,
-    install,
-    steps_in,
-)
-from tools.benchmarks.jobs import Found, as_text, machine
+from tools.benchmarks.foreign_calls import planners as theirs
+from tools.benchmarks.foreign_calls.planners import PLANNERS, Planner, error_in, steps_in
+from tools.benchmarks.jobs import Found, as_text, children_cpu, machine
 from tools.benchmarks.options import RESULTS, ROOT
-from tools.benchmarks.tables import document, table
+from tools.benchmarks.tables import document, number, table
 
 CACHE = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "neurosym-foreign"
-LIMIT = 60
-MEMORY = 8 << 30
-"""How much a planner may address [bytes]."""
+LIMIT, OUTPUT = 60, RESULTS / "foreign.json"
+MEMORY = 8 << 30  # how much a planner may address [bytes]
 PROBLEMS = {
     "tabletop": "task-01 task-07 task-13 task-15 task-17 task-19",
     "tabletop-paper": "task-01 task-13 task-15 task-17 task-19",
     "places": "anywhere-1-01 anywhere-3-08 anywhere-4-13 row-4-12 anywhere-6-18 anywhere-8-19",
     "towers": "tower-2-01 tower-4-03 anywhere-4-19 unstack-5-14 boxes-6-12 anywhere-8-20",
-}
-"""Of each domain some problems with few objects, and some with many."""
+}  # of each domain some problems with few objects, and some with many
 FILES = (("domain.pddl", ".pddl", False), ("domain-plain.pddl", ".plain.pddl", True))
 """Files that are looked for: the domain's, what follows a problem's name, and whether they tell no costs."""
 
@@ -78,13 +68,10 @@ class Task:
 def main(
     domains: Annotated[Path, tyro.conf.arg(help="Folder of the domains.")] = ROOT / "domains",
     planners: Annotated[str, tyro.conf.arg(help="Names of planners, with commas; all if empty.")] = "",
-    problems: Annotated[
-        str, tyro.conf.arg(help="Problems as domain/name, with commas; some of each domain if empty.")
-    ] = "",
+    problems: Annotated[str, tyro.conf.arg(help="Problems as domain/name, with commas; some if empty.")] = "",
     limit: Annotated[int, tyro.conf.arg(help="CPU that a call may take [s].")] = LIMIT,
     venvs: Annotated[Path, tyro.conf.arg(help="Folder for the planners' environments.")] = CACHE / "venvs",
-    output: Annotated[Path, tyro.conf.arg(help="File for the figures; the table is beside it.")] = RESULTS
-    / "foreign.json",
+    output: Annotated[Path, tyro.conf.arg(help="File for figures, the table beside it.")] = OUTPUT,
 ) -> None:
     """Install planners, call them, judge their plans, and write the table and the figures."""
     named = [name for name in planners.split(",") if name] or list(PLANNERS)
@@ -96,7 +83,7 @@ def main(
     found: dict[str, Any] = json.loads(output.read_text())["planners"] if output.exists() else {}
     for name in named:
         planner = PLANNERS[name]
-        refused = install(planner, venvs)
+        refused = theirs.install(planner, venvs)
         about = {"version": planner.version, "call": planner.told, "not_installed": refused}
         one = found[name] = {"problems": {}} | found.get(name, {}) | about
         if refused:
@@ -131,15 +118,7 @@ def task_of(domains: Path, problem: str, costs: bool) -> Task:
 def measured(
     planner: Planner, task: Task, words: Sequence[str], limit: int, known: Found | None = None
 ) -> Found:
-    """Call a planner on a task and judge its plan, or return what is known of the same call.
-
-    Args:
-        planner: The planner.
-        task: The task.
-        words: Its command line.
-        limit: CPU that it may take [s].
-        known: What was found earlier, if anything was.
-    """
+    """Call a planner on a task by a command line, and judge its plan, unless that is known."""
     digest = task.digest(planner, limit)
     if known and known["digest"] == digest:
         return known
@@ -149,9 +128,9 @@ def measured(
         (folder / "problem.pddl").write_text(task.problem)
         cpu, clock, code = called(words, folder, limit)
         plan = plan_in(folder, planner)
-        error = error_in(*(_text(folder / each) for each in (COMPLAINED, PRINTED))) or (
-            f"exit code {code}, and no plan" if code else "no plan, and no word why"
-        )
+        said = (_text(folder / each) for each in (theirs.COMPLAINED, theirs.PRINTED))
+        why = f"exit code {code}, and no plan" if code else "no plan, and no word why"
+        error = error_in(*said) or why
     spent = {"cpu_s": round(cpu, 2), "wall_s": round(clock, 2)}
     found = {"status": "solved", **spent, "digest": digest, **judged(task, plan)}
     if cpu > limit or (plan is None and code is None):
@@ -172,31 +151,21 @@ def called(words: Sequence[str], folder: Path, limit: int) -> tuple[float, float
     """
     clean = {key: value for key, value in os.environ.items() if not key.startswith(("PYTHON", "VIRTUAL_ENV"))}
     clean |= {"OMP_NUM_THREADS": "1", "HOME": str(folder)}
-    begin = time.monotonic()
-    with (folder / PRINTED).open("w") as printed, (folder / COMPLAINED).open("w") as complained:
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        limits = f'ulimit -c 0; ulimit -t {limit + 1}; ulimit -v {MEMORY // 1024}; exec "$@"'
-        process = subprocess.Popen(
-            ["bash", "-c", limits, "bash", *words],
-            cwd=folder,
-            env=clean,
-            stdin=subprocess.DEVNULL,
-            stdout=printed,
-            stderr=complained,
-            start_new_session=True,
-        )
-        code: int | None = None
+    begin, before, code = time.monotonic(), children_cpu(), None
+    limits = f'ulimit -c 0; ulimit -t {limit + 1}; ulimit -v {MEMORY // 1024}; exec "$@"'
+    command = ["bash", "-c", limits, "bash", *words]
+    with (folder / theirs.PRINTED).open("w") as printed, (folder / theirs.COMPLAINED).open("w") as complained:
+        streams = {"stdin": subprocess.DEVNULL, "stdout": printed, "stderr": complained}
+        process = subprocess.Popen(command, cwd=folder, env=clean, start_new_session=True, **streams)
         try:
-            with contextlib.suppress(subprocess.TimeoutExpired):
+            with suppress(subprocess.TimeoutExpired):
                 code = process.wait(2 * limit)
         finally:
-            with contextlib.suppress(ProcessLookupError):
+            with suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
             process.wait()
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    cpu = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     ended = code in (-signal.SIGKILL, -signal.SIGXCPU)
-    return cpu, time.monotonic() - begin, None if ended else code
+    return children_cpu() - before, time.monotonic() - begin, None if ended else code
 
 
 def _text(path: Path) -> str:
@@ -211,15 +180,15 @@ def plan_in(folder: Path, planner: Planner) -> list[Action] | None:
 
 def judged(task: Task, plan: list[Action] | None) -> dict[str, Any]:
     """Say whether a plan is valid by the printed files, and what it costs."""
+    told = {"plan_length": plan and len(plan), "cost": None, "valid": None, "judge": "", "error": ""}
     if plan is None:
-        return {"plan_length": None, "cost": None, "valid": None, "judge": "", "error": ""}
-    told = {"plan_length": len(plan), "cost": None, "error": ""}
+        return told
     try:
         verdict = validate_pddl(task.domain, task.problem, plan)
     except Exception as error:  # it is not ours, and trips over what it does not know
-        return {**told, "valid": None, "judge": str(error)[:300]}
-    told |= {"cost": cost_of(task, plan) if verdict.valid else None}
-    return {**told, "valid": verdict.valid, "judge": verdict.reason}
+        return told | {"judge": str(error)[:300]}
+    cost = cost_of(task, plan) if verdict.valid else None
+    return told | {"cost": cost, "valid": verdict.valid, "judge": verdict.reason}
 
 
 def cost_of(task: Task, plan: Sequence[Action]) -> float | None:
@@ -254,14 +223,16 @@ def page(figures: Mapping[str, Any]) -> str:
         "# What other people's planners make of the printed files",
         f"`python -m tools.benchmarks.foreign` wrote this page and `foreign.json`. Each call may take "
         f"{figures['limit_cpu_s']} s of CPU. Plans are judged by unified-planning's validator.",
-        table(["Planner", "Version", "Call", "Solved", "Valid", "CPU, median of solved [s]"], rows),
+        table("Planner | Version | Call | Solved | Valid | CPU, median of solved [s]", rows),
     ]
-    names = list(dict.fromkeys(name for one in found.values() for name in one.get("problems", {})))
-    called_on = {name: one["problems"] for name, one in found.items() if one.get("problems")}
-    if names:
+    called_on, tried = (
+        {name: one[about] for name, one in found.items() if one.get(about)}
+        for about in ("problems", "features")
+    )
+    if called_on:
+        names = list(dict.fromkeys(name for one in called_on.values() for name in one))
         cells = [[name, *(_cell(one.get(name)) for one in called_on.values())] for name in names]
         parts += ["CPU [s] and cost (or else length) of each plan:", table(["Problem", *called_on], cells)]
-    tried = {name: one["features"] for name, one in found.items() if one.get("features")}
     if tried:
         titles = next(iter(tried.values()))
         cells = [[name, *(_taken(one.get(name)) for one in tried.values())] for name in titles]
@@ -277,7 +248,7 @@ def _summary(one: Mapping[str, Any]) -> list[str]:
     if one["not_installed"]:
         return ["not installed", "", ""]
     sums = one["totals"]
-    cpu = "" if sums["median_cpu_s"] is None else f"{sums['median_cpu_s']:.2f}"
+    cpu = "" if sums["median_cpu_s"] is None else number(sums["median_cpu_s"])
     return [f"{sums['solved']} of {sums['problems']}", str(sums["valid"]), cpu]
 
 
@@ -287,9 +258,8 @@ def _cell(row: Mapping[str, Any] | None) -> str:
     if row["plan_length"] is None or row["status"] == "limit":
         return str(row["status"])
     told = f"{row['cost']:.0f}" if row["cost"] is not None else f"{row['plan_length']} steps"
-    return (
-        f"{row['cpu_s']:.2f}, {told}" + {True: "", False: ", not valid", None: ", not judged"}[row["valid"]]
-    )
+    judged = {True: "", False: ", not valid", None: ", not judged"}[row["valid"]]
+    return f"{row['cpu_s']:.2f}, {told}{judged}"
 
 
 def _taken(row: Mapping[str, Any] | None) -> str:

@@ -4,6 +4,8 @@ import io
 import json
 import os
 import platform
+import resource
+import time
 import zipfile
 from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
@@ -19,8 +21,8 @@ from neurosym.files import write_atomically
 from neurosym.stages.console import progress_bar, say
 
 Job = Callable[[], Any]
-Found = Mapping[str, Any]
-"""What jobs found, by their names."""
+Jobs = dict[str, Job]  # by their names
+Found = Mapping[str, Any]  # what jobs found, by their names
 
 
 @dataclass(frozen=True)
@@ -63,10 +65,8 @@ class Evaluation:
         left = {name: job for name, job in jobs.items() if not self.path(name).exists()}
         if not left:
             return
-        once = 1 if fresh else None
-        pool = ProcessPoolExecutor(
-            min(self.workers, len(left)), get_context("spawn"), max_tasks_per_child=once
-        )
+        once, workers = 1 if fresh else None, min(self.workers, len(left))
+        pool = ProcessPoolExecutor(workers, get_context("spawn"), max_tasks_per_child=once)
         with pool, progress_bar(label) as advance:
             running = {pool.submit(job): name for name, job in left.items()}
             try:
@@ -91,7 +91,7 @@ class Evaluation:
         write_atomically(self.results / f"{self.name}.md", page)
 
 
-def _keep(path: Path, future: "Future[Any]") -> None:
+def _keep(path: Path, future: Future[Any]) -> None:
     try:
         write_atomically(path, as_text(future.result()))
     except BrokenProcessPool:
@@ -130,7 +130,12 @@ def machine(*packages: str) -> dict[str, str]:
     return {"cpu": this_machine().processor, "cpus": cores, "python": python, **versions}
 
 
+def children_cpu() -> float:
+    """Return the CPU time of the processes that this one started and waited for [s]."""
+    spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return spent.ru_utime + spent.ru_stime
+
+
 def cpu_seconds() -> float:
     """Return the CPU time of this process and of those that it started and waited for [s]."""
-    spent = os.times()
-    return spent.user + spent.system + spent.children_user + spent.children_system
+    return time.process_time() + children_cpu()

@@ -7,7 +7,6 @@ took 0.14 s, so what is measured is told as it would be there, too.
 """
 
 import os
-import resource
 import shutil
 import statistics
 import subprocess
@@ -22,12 +21,11 @@ import tyro
 from neurosym.choices import DOMAINS
 from neurosym.files import write_atomically
 from neurosym.stages.console import say
-from tools.benchmarks.jobs import as_text, machine
+from tools.benchmarks.jobs import as_text, children_cpu, machine
 from tools.benchmarks.options import RESULTS, ROOT, Results
 from tools.benchmarks.tables import document, listed, number, table
 
-REFERENCE = 0.14
-"""What importing numpy took where it was set down what commands must take [CPU s]."""
+REFERENCE = 0.14  # what importing numpy took where it was set down what commands must take [CPU s]
 NUMPY = "numpy"
 STARTED = {"python": "pass", NUMPY: "import numpy"}
 """Bounds that are a program of Python, by what the page calls them."""
@@ -88,23 +86,19 @@ ROWS = (
     Row("report tabletop", NUMPY, 30.0, 15.0, ("report --help",), once=True),
     Row("demo", NUMPY, 40.0, 25.0, ("demo --help",), once=True),
     Row(f"execute places {_FOUR}", NUMPY, 60.0, 20.0, (_DRAWN, "plan places four-anywhere"), once=True),
-)
-"""What is measured; a command more is a row more."""
+)  # what is measured; a command more is a row more
 
 
 def main(
     runs: Annotated[int, tyro.conf.arg(help="How often each command is measured.")] = 3,
-    only: Annotated[
-        str, tyro.conf.arg(help="Measure commands that hold this text only; writes nothing.")
-    ] = "",
+    only: Annotated[str, tyro.conf.arg(help="Only commands that hold this text; writes nothing.")] = "",
     results: Results = RESULTS,
 ) -> None:
     """Measure commands beside their bounds, and write the page and the figures."""
     found = {}
-    for row in ROWS:
-        if only in row.command:
-            found[row.command] = measured(row, runs)
-            say(f"{row.command}: {found[row.command]}")
+    for row in (row for row in ROWS if only in row.command):
+        found[row.command] = measured(row, runs)
+        say(f"{row.command}: {found[row.command]}")
     if not only:
         figures = {name: {key: one[key] for key in ("cpu_s", "bound_cpu_s")} for name, one in found.items()}
         write_atomically(results / "latency.json", as_text(figures))
@@ -117,9 +111,8 @@ def measured(row: Row, runs: int) -> dict[str, float]:
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         for name in {*DOMAINS} & {*row.command.split()}:
-            shutil.copytree(
-                ROOT / "domains" / name, folder / name, ignore=shutil.ignore_patterns("plans", "runs")
-            )
+            left_out = shutil.ignore_patterns("plans", "runs")
+            shutil.copytree(ROOT / "domains" / name, folder / name, ignore=left_out)
         for words in (*row.before, *(() if row.once else (row.command,))):
             cpu_of(_neurosym(words), folder)
         cpu_of((sys.executable, "-c", STARTED[NUMPY]), folder)
@@ -141,10 +134,9 @@ def bound_of(row: Row, folder: Path) -> float:
 
 def cpu_of(command: Sequence[str], folder: Path) -> float:
     """Run a command, and return what it and all the processes it started took [CPU s]."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    before = children_cpu()
     _run(command, folder)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return children_cpu() - before
 
 
 def _neurosym(words: str) -> tuple[str, ...]:
@@ -153,11 +145,8 @@ def _neurosym(words: str) -> tuple[str, ...]:
 
 def _run(command: Sequence[str], folder: Path) -> str:
     """Run a command as users do: Python keeps what it compiles, and nobody says how many threads run."""
-    kept = {
-        name: value
-        for name, value in os.environ.items()
-        if name != "PYTHONDONTWRITEBYTECODE" and not name.endswith("_NUM_THREADS")
-    }
+    left_out = ("PYTHONDONTWRITEBYTECODE", *(name for name in os.environ if name.endswith("_NUM_THREADS")))
+    kept = {name: value for name, value in os.environ.items() if name not in left_out}
     kept |= {"PYTHONPATH": str(ROOT), "PYTHONPYCACHEPREFIX": str(folder / "compiled")}
     done = subprocess.run(command, cwd=folder, env=kept, capture_output=True, text=True, check=False)
     if done.returncode not in (0, 3):
@@ -168,16 +157,7 @@ def _run(command: Sequence[str], folder: Path) -> str:
 def page(found: dict[str, dict[str, float]]) -> str:
     """Return the page."""
     rows = {row.command: row for row in ROWS}
-    columns = [
-        "command",
-        "CPU [s]",
-        "bound",
-        "CPU of that [s]",
-        "numpy [s]",
-        "as set down [s]",
-        "must",
-        "goal",
-    ]
+    columns = "command | CPU [s] | bound | CPU of that [s] | numpy [s] | as set down [s] | must | goal"
     return document(
         "# Latency, measured",
         "`python -m tools.benchmarks.latency` wrote this page and `latency.json`. "

@@ -11,8 +11,7 @@ from tyro.conf import arg
 
 ROOT = Path(__file__).parent.parent.parent
 RESULTS = Path("docs/results")
-CORES = os.cpu_count() or 1
-"""How many jobs run at once by default."""
+CORES = os.cpu_count() or 1  # how many jobs run at once by default
 
 Seeds = Annotated[int, arg(help="Seeds of everything.")]
 Steps = Annotated[int, arg(help="Interactions of each exploration.")]
@@ -22,6 +21,11 @@ Work = Annotated[Path, arg(help="Folder for what was learned and measured.")]
 Results = Annotated[Path, arg(help="Folder for the tables.")]
 Workers = Annotated[int, arg(help="Jobs at once.")]
 OnlyReport = Annotated[bool, arg(help="Write the tables from what is there.")]
+
+
+def scaled(scale: float, number: int) -> int:
+    """Return how many that is of a usual number, some at least."""
+    return max(4, round(number * scale))
 
 
 def check_positive(**values: int) -> None:

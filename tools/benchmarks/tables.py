@@ -1,6 +1,7 @@
-"""How figures are written into pages of Markdown."""
+"""How figures are summed up, and written into pages of Markdown."""
 
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from statistics import mean, stdev
 from typing import Any
 
@@ -10,14 +11,49 @@ from neurosym.stages.verdicts import wilson
 NOT_YET = "not measured yet"
 
 
+def share_of(part: float, of: float) -> float | None:
+    """Return a share; None of nothing."""
+    return part / of if of else None
+
+
+def mean_of(values: Iterable[float | None]) -> float | None:
+    """Return the mean of what is known; None if nothing is."""
+    known = [value for value in values if value is not None]
+    return float(mean(known)) if known else None
+
+
+def tally(names: Iterable[str]) -> dict[str, int]:
+    """Count names but empty ones, the most frequent first."""
+    return dict(sorted(Counter(filter(None, names)).items(), key=lambda item: (-item[1], item[0])))
+
+
 def document(*parts: str) -> str:
     """Join the parts of a page."""
     return "\n\n".join(parts) + "\n"
 
 
-def table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Write a table, or say that there is nothing to write yet."""
-    return markdown_table(columns, rows) if rows else NOT_YET
+def table(columns: str | Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Write a table, its columns named as in `size | tasks`; or say that there is nothing to write yet."""
+    titles = columns.split(" | ") if isinstance(columns, str) else columns
+    return markdown_table(titles, rows) if rows else NOT_YET
+
+
+def figures_table(columns: str, cells: Mapping[str, Mapping[str, Any]], *names: str) -> str:
+    """Write a row of figures for each cell, but for those whose first figure is nothing; see `written`."""
+    first = names[0].partition(":")[0]
+    return table(columns, [[name, *written(cell, *names)] for name, cell in cells.items() if cell[first]])
+
+
+def written(found: Mapping[str, Any], *names: str) -> list[str]:
+    """Write figures, each as it is or as a form says: `share:1%` and `seconds:2` with so many digits."""
+    texts = []
+    for name, _, form in (one.partition(":") for one in names):
+        value = found[name]
+        if form:
+            texts.append(percent(value, None, int(form[0])) if form[1:] else number(value, int(form)))
+        else:
+            texts.append(counts(value) if isinstance(value, Mapping) else str(value))
+    return texts
 
 
 def listed(values: Mapping[str, Any]) -> str:

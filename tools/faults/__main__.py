@@ -3,31 +3,28 @@
 Finished trials are kept in a folder and not made again, so that the campaign can be interrupted.
 """
 
-import json
 import os
 import platform
 import shutil
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import tyro
 
 from neurosym.commands.ending import raised_signals, say_interrupted
 from neurosym.files import write_atomically
 from neurosym.stages.console import progress_bar, say
-from tools.benchmarks.jobs import pack, unpack
+from tools.benchmarks.jobs import as_text, pack, unpack
+from tools.benchmarks.options import RESULTS
 from tools.faults.journal import Jobs, Journal, page, summarise
-from tools.faults.subjects import WORLDS, Bench, WorldName, subjects
+from tools.faults.subjects import WORLDS, Bench, Subject, WorldName, subjects
 from tools.faults.trials import cannot_limit_processes, cannot_mount, clocks, disks, kills, limits, pairs
 
-RESULTS = Path("docs/results")
-TRIALS = "faults-trials.zip"
-"""The journal of the trials, with the results, so that another machine can go on."""
+TRIALS = "faults-trials.zip"  # the journal of the trials, with the results, so that another machine can go on
 PARTS = ("clock", "pairs", "limits", "disk", "kills")
-SLOW = ("run-tabletop",)
-"""Killed last, since each takes the longest."""
+SLOW = ("run-tabletop",)  # killed last, since each takes the longest
 
 
 def main(
@@ -46,46 +43,34 @@ def main(
     folder.mkdir(parents=True, exist_ok=True)
     unpack(results / TRIALS, folder)
     bench, journal = Bench(folder), Journal(folder / "trials.jsonl")
-    left_out = _left_out(bench)
+    reasons = {"full disks": cannot_mount(bench), "few processes": cannot_limit_processes()}
+    left_out = [f"{what}: {reason}" for what, reason in reasons.items() if reason]
     for what in left_out:
         say(f"left out: {what}")
-    for title, jobs, total in _plan(bench, journal, worlds, kill, kill_slow, pair, seed):
-        part, _, subject = title.partition(" ")
-        if part in parts and (not commands or subject.partition("-")[0] in (*commands, "all")):
-            if part == "disk" and cannot_mount(bench):
-                continue
-            _perform(title, jobs, journal, total)
+    every = [subject for world in worlds for subject in subjects(world)]
+    for part, name, jobs, total in _plan(bench, journal, every, {False: kill, True: kill_slow}, pair, seed):
+        asked = part in parts and (not commands or name.partition("-")[0] in (*commands, "all"))
+        if asked and not (part == "disk" and reasons["full disks"]):
+            _perform(f"{part} {name}", jobs, journal, total)
             _write(results, journal, seed, left_out)
     shutil.rmtree(folder / "trial", ignore_errors=True)
     pack(folder, results / TRIALS, "trials.jsonl")
     say(f"wrote {results / 'faults.json'} and {results / 'faults.md'}")
 
 
-def _left_out(bench: Bench) -> list[str]:
-    reasons = {"full disks": cannot_mount(bench), "few processes": cannot_limit_processes()}
-    return [f"{what}: {reason}" for what, reason in reasons.items() if reason]
-
-
 def _plan(
-    bench: Bench,
-    journal: Journal,
-    worlds: tuple[WorldName, ...],
-    kill: int,
-    kill_slow: int,
-    pair: int,
-    seed: int,
-) -> Iterator[tuple[str, Jobs, int]]:
-    """List all jobs by a title of their part and command, with how many they are."""
-    every = [subject for world in worlds for subject in subjects(world)]
-    quick, slow = ([one for one in every if (one.title in SLOW) == is_slow] for is_slow in (False, True))
-    yield from ((f"clock {one.title}", clocks(bench, one), 2) for one in quick)
-    for world in worlds[:1]:
-        yield f"pairs all-{world}", pairs(bench, world, wanted=pair, seed=seed), 5 * pair
-    yield from ((f"limits {one.title}", limits(bench, one), 14) for one in quick if one.world == "toy")
-    yield "disk all", disks(bench), 33
-    for one in (*quick, *slow):
-        wanted = kill_slow if one in slow else kill
-        yield f"kills {one.title}", kills(bench, one, journal, wanted=wanted, seed=seed), wanted
+    bench: Bench, journal: Journal, every: list[Subject], kill: dict[bool, int], pair: int, seed: int
+) -> Iterator[tuple[str, str, Jobs, int]]:
+    """List all jobs by their part and command, with how many they are; kills of slow commands come last."""
+    quick = [one for one in every if one.title not in SLOW]
+    yield from (("clock", one.title, clocks(bench, one), 2) for one in quick)
+    world = every[0].world
+    yield "pairs", f"all-{world}", pairs(bench, world, wanted=pair, seed=seed), 5 * pair
+    yield from (("limits", one.title, limits(bench, one), 14) for one in quick if one.world == "toy")
+    yield "disk", "all", disks(bench), 33
+    for one in sorted(every, key=lambda one: one.title in SLOW):
+        wanted = kill[one.title in SLOW]
+        yield "kills", one.title, kills(bench, one, journal, wanted=wanted, seed=seed), wanted
 
 
 def _perform(title: str, jobs: Jobs, journal: Journal, total: int) -> None:
@@ -94,9 +79,8 @@ def _perform(title: str, jobs: Jobs, journal: Journal, total: int) -> None:
     with progress_bar(title) as advance:
         for name, job in jobs:
             if name not in journal.trials:
-                trial = job()
-                journal.add(trial)
-                for found in trial.found:
+                journal.add(job())
+                for found in journal.trials[name].found:
                     say(f"{name}: {found}")
             done += max(1, journal.trials[name].kills)
             advance(min(done, total), total)
@@ -104,19 +88,10 @@ def _perform(title: str, jobs: Jobs, journal: Journal, total: int) -> None:
 
 def _write(results: Path, journal: Journal, seed: int, left_out: list[str]) -> None:
     minutes = sum(trial.seconds for trial in journal.trials.values()) / 60
-    about: dict[str, Any] = {
-        "command": "make faults",
-        "seed": seed,
-        "minutes": round(minutes, 1),
-        "machine": {
-            "cores": os.cpu_count(),
-            "system": platform.system(),
-            "python": platform.python_version(),
-        },
-        "left_out": left_out,
-    }
-    summary = summarise(journal.trials.values(), about)
-    write_atomically(results / "faults.json", json.dumps(summary, indent=1) + "\n")
+    about = {"cores": os.cpu_count(), "system": platform.system(), "python": platform.python_version()}
+    told = {"command": "make faults", "seed": seed, "minutes": round(minutes, 1), "machine": about}
+    summary = summarise(journal.trials.values(), {**told, "left_out": left_out})
+    write_atomically(results / "faults.json", as_text(summary))
     write_atomically(results / "faults.md", page(summary))
 
 

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 import zipfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -17,14 +17,11 @@ from typing import Any
 
 from tools.benchmarks.options import ROOT
 
-SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL)
-"""What commands are killed by."""
-MARK = "NEUROSYM_FAULTS"
-"""A variable in the environment of all that a trial starts."""
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL)  # what commands are killed by
+MARK = "NEUROSYM_FAULTS"  # a variable in the environment of all that a trial starts
 PATIENCE = 1200.0
 """How long a command may take before it counts as hanging, on a machine that is busy with much else [s]."""
-SETTLE = 5.0
-"""How long what a command leaves may take to end after it, on a busy machine [s]."""
+SETTLE = 5.0  # how long what a command leaves may take to end after it, on a busy machine [s]
 
 
 @dataclass(frozen=True)
@@ -78,10 +75,10 @@ class Running:
         if hangs:
             self.process.kill()
             self.process.wait()
-        written, code = self.log.read_text(errors="replace"), None if hangs else self.process.returncode
+        lines = [line for line in self.log.read_text(errors="replace").splitlines() if "█" not in line]
         self.log.unlink()
-        lines = [line for line in written.splitlines() if "█" not in line]
-        return Ending(code, "\n".join(filter(str.strip, lines)), time.monotonic() - self.begin)
+        code, seconds = self.process.returncode, time.monotonic() - self.begin
+        return Ending(None if hangs else code, "\n".join(filter(str.strip, lines)), seconds)
 
 
 def start(
@@ -95,19 +92,13 @@ def start(
     """Start `neurosym` with arguments."""
     shutil.rmtree(scratch, ignore_errors=True)
     scratch.mkdir(parents=True)
-    mark = f"{os.getpid()}-{time.monotonic_ns()}"
+    mark, nothing = f"{os.getpid()}-{time.monotonic_ns()}", subprocess.DEVNULL
     log = (logs or scratch.parent) / f"{mark}.log"
     command = [*before, sys.executable, "-m", "neurosym", *arguments]
     added = {MARK: mark, "TMPDIR": str(scratch), "OMP_NUM_THREADS": "1", "PYTHONPATH": str(ROOT)}
     with log.open("wb") as sink, _heard():
-        process = subprocess.Popen(
-            command,
-            cwd=scratch.parent,
-            env={**os.environ, **added, **environment},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=sink,
-        )
+        where = {"cwd": scratch.parent, "env": {**os.environ, **added, **environment}}
+        process = subprocess.Popen(command, stdin=nothing, stdout=nothing, stderr=sink, **where)
     return Running(process, mark, log)
 
 
@@ -132,20 +123,16 @@ def run(arguments: Sequence[str], scratch: Path, **options: Any) -> tuple[Ending
 
 def left_by(running: Running, scratch: Path) -> list[str]:
     """Name the processes and temporary files that a command has left, and kill those processes."""
-    found = _until_nothing(
-        lambda: [f"process left: {_read(n, 'cmdline')[:120].decode('latin-1')}" for n in marked(running.mark)]
-    )
-    found += _until_nothing(lambda: [f"temporary file left: {path.name}" for path in scratch.iterdir()])
-    for number in marked(running.mark):
-        os.kill(number, signal.SIGKILL)
-    return found
-
-
-def _until_nothing(look: Callable[[], list[str]]) -> list[str]:
     end = time.monotonic() + SETTLE
-    while (found := look()) and time.monotonic() < end:
+    while True:
+        processes, files = marked(running.mark), [path.name for path in scratch.iterdir()]
+        if not (processes or files) or time.monotonic() > end:
+            break
         time.sleep(0.02)
-    return found
+    found = [f"process left: {_read(n, 'cmdline')[:120].decode('latin-1')}" for n in processes]
+    for number in processes:
+        os.kill(number, signal.SIGKILL)
+    return found + [f"temporary file left: {name}" for name in files]
 
 
 def marked(mark: str) -> list[int]:
@@ -168,13 +155,13 @@ def content(folder: Path) -> dict[str, str]:
     return {str(path.relative_to(folder)): _digest(path) for path in files}
 
 
-def stages_done(folder: Path) -> dict[str, str]:
+def stages_done(folder: Path) -> dict[str, Any]:
     """Return what the manifest of a domain folder says of each stage."""
     try:
-        stages = json.loads((folder / "manifest.json").read_bytes())["stages"]
+        found: dict[str, Any] = _timeless(json.loads((folder / "manifest.json").read_bytes())["stages"])
     except (OSError, ValueError, KeyError):
         return {}
-    return {name: json.dumps(_timeless(record)) for name, record in stages.items()}
+    return found
 
 
 def _digest(path: Path) -> str:
@@ -191,18 +178,17 @@ def _digest(path: Path) -> str:
 
 def _timeless(value: Any) -> Any:
     """Leave out seconds, and digests of files that hold them."""
-    if isinstance(value, dict):
-        return {
-            key: _timeless(entry)
-            for key, entry in value.items()
-            if key != "seconds" and not (key.endswith(".json") and isinstance(entry, str))
-        }
-    return [_timeless(entry) for entry in value] if isinstance(value, list) else value
+    if isinstance(value, list):
+        return [_timeless(entry) for entry in value]
+    if not isinstance(value, dict):
+        return value
+    told = {key: entry for key, entry in value.items() if key != "seconds"}
+    digests = {key for key, entry in told.items() if key.endswith(".json") and isinstance(entry, str)}
+    return {key: _timeless(entry) for key, entry in told.items() if key not in digests}
 
 
 def differences(found: Mapping[str, str], wanted: Mapping[str, str]) -> list[str]:
     """Say which files are missing, too many, damaged, or have other bytes."""
     said = [f"missing: {name}" for name in wanted if name not in found]
     said += [f"too many: {name}" for name in found if name not in wanted]
-    both = [name for name in wanted if name in found]
-    return said + [f"other bytes: {name}" for name in both if found[name] != wanted[name]]
+    return said + [f"other bytes: {name}" for name in wanted if found.get(name, wanted[name]) != wanted[name]]

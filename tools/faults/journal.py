@@ -7,6 +7,8 @@ from typing import Any
 
 import msgspec
 
+from tools.benchmarks.tables import document
+
 TITLES = {
     "kills": "Killed at a drawn moment, and started again",
     "disk": "On a full disk, and again with room",
@@ -30,8 +32,7 @@ class Trial(msgspec.Struct, frozen=True):
     seconds: float = 0.0  # how long it took [s]
 
 
-Jobs = Iterator[tuple[str, Callable[[], Trial]]]
-"""The names of trials, and what performs each."""
+Jobs = Iterator[tuple[str, Callable[[], Trial]]]  # the names of trials, and what performs each
 
 
 class Journal:
@@ -64,9 +65,7 @@ def summarise(trials: Iterable[Trial], about: Mapping[str, Any]) -> dict[str, An
 
 
 def _row(group: Sequence[Trial]) -> dict[str, Any]:
-    kinds = Counter(
-        trial.outcome.partition(":")[0] for trial in group
-    )  # what is different each time left out
+    kinds = Counter(trial.outcome.partition(":")[0] for trial in group)  # without what differs each time
     return {
         "command": group[0].subject,
         "world": group[0].world,
@@ -81,22 +80,20 @@ def _row(group: Sequence[Trial]) -> dict[str, Any]:
 
 def page(summary: Mapping[str, Any]) -> str:
     """Print a summary as Markdown."""
-    lines = [
+    parts = [
         "# A campaign of faults",
-        "",
         f"`{summary['command']}`, seed {summary['seed']}, {summary['minutes']:.0f} minutes. "
-        f"What is promised stands in [reliability.md](../reliability.md).",
-        *(f"Left out: {reason}." for reason in summary["left_out"]),
-        "",
+        f"What is promised stands in [reliability.md](../reliability.md)."
+        + "".join(f"\nLeft out: {reason}." for reason in summary["left_out"]),
     ]
     for part, rows in summary["parts"].items():
         what = "kills" if part == "kills" else "trials"
-        lines += [f"## {TITLES[part]}", "", f"| command | world | {what} | as promised | how they ended |"]
-        lines += ["| --- | --- | --- | --- | --- |"]
+        columns = f"| command | world | {what} | as promised | how they ended |"
+        lines = [f"## {TITLES[part]}", "", columns, "| --- | --- | --- | --- | --- |"]
         for row in rows:
             ended = "; ".join(f"{count} {kind}" for kind, count in row["outcomes"].items())
             kept = f"{row['as_promised']} of {row['trials']}"
             lines.append(f"| {row['command']} | {row['world']} | {row[what]} | {kept} | {ended} |")
         found = [f"- {row['command']}, {row['world']}: {text}" for row in rows for text in row["findings"]]
-        lines += ["", *(" ".join(line.split()) for line in found), *([""] if found else [])]
-    return "\n".join(lines).rstrip() + "\n"
+        parts += ["\n".join(lines), *filter(None, ["\n".join(" ".join(one.split()) for one in found)])]
+    return document(*parts)

@@ -13,11 +13,10 @@ from tools.faults.commands import Ending, content, differences, run
 WorldName = Literal["toy", "tabletop"]
 WORLDS: tuple[WorldName, ...] = ("toy", "tabletop")
 TASK, PLAN = "errand", "plans/errand.fast-downward.plan"
+RANDOM = "--strategy random --workers 1"
+EXPLORATION = f"explore {{}} --steps 128 {RANDOM}"
 FEW = "--steps 128 --regime quick --rehearsals 12 --workers 2 --seed 3"
-LEARN_TOY = (
-    "run {} --world toy --steps 1024 --seed 3 --rehearsals 40 --problems 0 --strategy random --regime quick "
-    "--workers 1"
-)
+LEARN_TOY = f"run {{}} --world toy {RANDOM} --steps 1024 --seed 3 --rehearsals 40 --problems 0 --regime quick"
 PLANNING, EXECUTION = f"plan {{}} {TASK}", f"execute {{}} {TASK} {{}}/{PLAN} --disturb 3"
 COMPARISON = "compare {} --tasks 3 --workers 2"
 
@@ -65,10 +64,7 @@ def subjects(world: WorldName) -> tuple[Subject, ...]:
 
 
 STAGES = {
-    "explore": (
-        "explore {} --steps 128 --strategy random --workers 1",
-        ("*.npz", "*.safetensors", "*.json", "*.pddl"),
-    ),
+    "explore": (EXPLORATION, ("*.npz", "*.safetensors", "*.json", "*.pddl")),
     "train": ("train {} --regime quick", ("*_model.safetensors",)),
     "distill": ("distill {} --objects 12", ("primitives.json", "grounding.json")),
     "compile-domain": ("compile-domain {}", ("grounding.json", "*.pddl")),
@@ -77,8 +73,7 @@ STAGES = {
     "execute": (EXECUTION, ("runs/*",)),
     "compare": (COMPARISON, ("comparison",)),
     "report": ("report {}", ("report.html",)),
-}
-"""What fills a disk, stage by stage: the command, and what it makes."""
+}  # what fills a disk, stage by stage: the command, and what it makes
 
 
 def stages(world: WorldName) -> tuple[Subject, ...]:
@@ -127,15 +122,12 @@ class Bench:
         shutil.copytree(learned, folder)
         for path in [path for pattern in subject.without for path in folder.glob(pattern)]:
             shutil.rmtree(path) if path.is_dir() else path.unlink()
-        manifest = folder / "manifest.json"
-        if manifest.exists():
-            kept = json.loads(manifest.read_text())
-            kept["stages"] = {
-                name: record
-                for name, record in kept["stages"].items()
-                if all((folder / output).exists() for output in record["outputs"])
-            }
-            manifest.write_text(json.dumps(kept))
+        if (manifest := folder / "manifest.json").exists():
+            kept, stages = json.loads(manifest.read_text()), {}
+            for name, record in kept["stages"].items():
+                if all((folder / output).exists() for output in record["outputs"]):
+                    stages[name] = record
+            manifest.write_text(json.dumps({**kept, "stages": stages}))
         return folder
 
     def finished(self, subject: Subject, folder: Path, scratch: Path, **options: Any) -> list[str]:

@@ -18,17 +18,8 @@ from typing import Any
 
 from neurosym.stages.layout import MANIFEST
 from tools.benchmarks.options import ROOT
-from tools.faults.commands import (
-    SIGNALS,
-    Ending,
-    Running,
-    content,
-    differences,
-    left_by,
-    run,
-    stages_done,
-    start,
-)
+from tools.faults import commands
+from tools.faults.commands import Ending, Running, content, differences, left_by
 from tools.faults.journal import Jobs, Journal, Trial
 from tools.faults.subjects import Bench, Subject, WorldName, stages, subjects
 
@@ -53,7 +44,7 @@ class Attempt:
 
     def start(self, scratch: str = "scratch") -> Running:
         """Start the command."""
-        return start(self.subject.arguments(self.folder), self.place / scratch)
+        return commands.start(self.subject.arguments(self.folder), self.place / scratch)
 
     def damage(self, *, half_files: bool = True) -> list[str]:
         """Say what of the folder was lost or is half there."""
@@ -64,11 +55,9 @@ class Attempt:
 
     def written_down(self, told: str, outcome: str, kills: int = 0) -> Trial:
         """Write down what came of it."""
-        part, seconds = self.name.partition("-")[0], round(time.monotonic() - self.begin, 1)
-        found = tuple(self.found)
-        return Trial(
-            part, self.name, self.subject.name, self.subject.world, told, outcome, found, kills, seconds
-        )
+        seconds, of = round(time.monotonic() - self.begin, 1), (self.subject.name, self.subject.world)
+        part, found = self.name.partition("-")[0], tuple(self.found)
+        return Trial(part, self.name, *of, told, outcome, found, kills, seconds)
 
     def let_end(self, **options: Any) -> str:
         """Let the command end; say in a few words whether all was as promised."""
@@ -91,7 +80,7 @@ def _killed(bench: Bench, subject: Subject, name: str, most: int, seed: int) -> 
     attempt, rng, told = Attempt(bench, subject, name), random.Random(f"{seed} {name}"), list[str]()
     for _ in range(5):  # tries to hit the command before it ends
         for _ in range(most):
-            at, number = rng.uniform(0.0, attempt.goal.ending.seconds), rng.choice(SIGNALS)
+            at, number = rng.uniform(0.0, attempt.goal.ending.seconds), rng.choice(commands.SIGNALS)
             wrong = _kill(attempt, at, number)
             if wrong is None:
                 break
@@ -116,9 +105,8 @@ def _kill(attempt: Attempt, at: float, number: signal.Signals) -> list[str] | No
     found = [] if ending.is_before_ours else ending.complaints(codes)
     found += left_by(running, attempt.scratch)
     found += [f"damaged: {name}" for name, what in content(attempt.folder).items() if what == "damaged"]
-    return found + attempt.damage(
-        half_files=number != signal.SIGKILL
-    )  # what that leaves is cleared away later
+    may_be_half = number == signal.SIGKILL  # what that leaves is cleared away later
+    return found + attempt.damage(half_files=not may_be_half)
 
 
 def disks(bench: Bench) -> Jobs:
@@ -169,13 +157,15 @@ def _on_full_disk(bench: Bench, subject: Subject, share: float, scratch_too: boo
         attempt = Attempt(bench, subject, name, disk)
         attempt.scratch = (disk if scratch_too else bench.place) / "scratch"
         attempt.scratch.mkdir(parents=True, exist_ok=True)
-        done_before = stages_done(attempt.folder)
+        done_before = commands.stages_done(attempt.folder)
         with _filled(disk, round(share * attempt.goal.written)):
-            ending, left = run(subject.arguments(attempt.folder), attempt.scratch, logs=bench.place)
+            ending, left = commands.run(subject.arguments(attempt.folder), attempt.scratch, logs=bench.place)
             attempt.found += left
             if ending.code != attempt.goal.ending.code:
                 attempt.found += ending.complaints((REFUSED,))
-                if done_before.items() <= stages_done(attempt.folder).items():  # they stay, as promised
+                if (
+                    done_before.items() <= commands.stages_done(attempt.folder).items()
+                ):  # they stay, as promised
                     attempt.before.pop(MANIFEST, None)
                 now, before = content(attempt.folder), attempt.before
                 changed = [name for name in before if now.get(name) != before[name]]
@@ -242,8 +232,7 @@ LIMITS = {
     "files": ("ulimit -n {}", (16, 32, 64)),
     "file size": ("ulimit -f {}", (1, 8, 256)),
     "processes": ("ulimit -p {}", (1, 4, 16)),
-}
-"""What a shell is told before, and with what: KiB, files, blocks of 512 bytes, processes of the user."""
+}  # what a shell is told before, and with what: KiB, files, blocks of 512 bytes, processes of the user
 _CAPABILITIES = "+dac_override,+dac_read_search"  # to read and write as root does, and to run its Python
 _ANOTHER_USER = (
     *("setpriv", "--reuid", "65534", "--clear-groups"),
@@ -271,7 +260,7 @@ def limits(bench: Bench, subject: Subject) -> Jobs:
 
 def _limited(bench: Bench, subject: Subject, name: str, told: str, before: tuple[str, ...]) -> Trial:
     attempt = Attempt(bench, subject, name)
-    ending, attempt.found = run(subject.arguments(attempt.folder), attempt.scratch, before=before)
+    ending, attempt.found = commands.run(subject.arguments(attempt.folder), attempt.scratch, before=before)
     attempt.found += ending.complaints((attempt.goal.ending.code or 0, REFUSED, 3)) + attempt.damage()
     if ending.code == attempt.goal.ending.code == 0:
         attempt.found += differences(content(attempt.folder), attempt.goal.content)

@@ -14,11 +14,10 @@ from neurosym.tasks.task import footprints_apart, overlapping
 from neurosym.world import Scene, Table, World, relative_to
 from tools.benchmarks.world.hand_written import carry_to
 
-MOTIONS = 3
-"""Motions for each object at most."""
-ROOM = 0.03
-"""How far objects are kept apart where they are set down to wait [m]."""
+MOTIONS = 3  # motions for each object at most
+ROOM = 0.03  # how far objects are kept apart where they are set down to wait [m]
 _DRAWS = 500
+Spots = Float[np.ndarray, "M 2"]
 
 
 class ByHand(NamedTuple):
@@ -47,16 +46,11 @@ def carry_by_hand(problem: Problem, world: World, seed: int) -> ByHand:
 
 
 def _next(
-    scene: Scene,
-    unmet: np.ndarray,
-    goals: Float[np.ndarray, "M 2"],
-    apart: Float[np.ndarray, "M M 2"],
-    table: Table,
-    rng: np.random.Generator,
-) -> tuple[int, Float[np.ndarray, "2"]]:
-    """Return which object is carried next, and where to."""
+    scene: Scene, unmet: np.ndarray, goals: Spots, apart: np.ndarray, table: Table, rng: np.random.Generator
+) -> tuple[int, np.ndarray]:
+    """Return which object is carried next, and where to; objects keep so far `apart` (M, M, 2) [m]."""
 
-    def is_free(target: int, spot: Float[np.ndarray, "2"], room: float) -> bool:
+    def is_free(target: int, spot: np.ndarray, room: float) -> bool:
         others = np.arange(len(scene)) != target
         return not overlapping(spot, scene.positions[others, :2], apart[target, others] + room).any()
 

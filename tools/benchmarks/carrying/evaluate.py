@@ -24,53 +24,47 @@ from neurosym.operators import OperatorTable
 from neurosym.pair_operators import PlaceOperators
 from neurosym.stages.layout import GROUNDING, MODEL, PLACE_OPERATORS, WORLD
 from neurosym.stages.learning import TO_PLACES
-from tools.benchmarks import domains
+from tools.benchmarks import domains, options
 from tools.benchmarks.carrying import tasks
 from tools.benchmarks.carrying.by_hand import carry_by_hand
 from tools.benchmarks.carrying.summary import BASELINES, page, slug, summarise
 from tools.benchmarks.domains import bench_of
-from tools.benchmarks.jobs import Evaluation, Job
-from tools.benchmarks.options import CORES, RESULTS, Results, Scale, Seeds, Steps, Work, Workers, begin
+from tools.benchmarks.jobs import Evaluation, Jobs
+from tools.benchmarks.planning.jobs import blocks
 from tools.benchmarks.planning.measures import TIME_LIMIT
-from tools.benchmarks.planning.trials import to_json, trials_of, try_task
+from tools.benchmarks.planning.trials import trials_of, tried, try_task
 from tools.relearn_places import FOLDER as SHIPPED
 from tools.relearn_places import PLACES, SEED, STEPS
 
 DOMAINS = "places-domains.zip"
-KEPT = (WORLD, MODEL, GROUNDING)
-"""What is needed of a learned domain to try it."""
-FIRST_TASK = 700_000
-"""Seed of the first task, far from those of other evaluations."""
-AT_RANDOM = 2
-"""Seeds with which what carries is learned from random actions, too."""
+KEPT = (WORLD, MODEL, GROUNDING)  # what is needed of a learned domain to try it
+FIRST_TASK = 700_000  # seed of the first task, far from those of other evaluations
+AT_RANDOM = 2  # seeds with which what carries is learned from random actions, too
 LED = ("graspable 1", "graspable 2", "graspable 4")
 """What is tried without places; with eight objects a search takes too long."""
-WITHIN = 0.015
-"""So near to what an operator does on average does a rehearsal end right [m]."""
-Jobs = dict[str, Job]
+WITHIN = 0.015  # so near to what an operator does on average does a rehearsal end right [m]
 
 
 def main(
-    seeds: Seeds = 5,
-    steps: Steps = STEPS,
+    seeds: options.Seeds = 5,
+    steps: options.Steps = STEPS,
     places: Annotated[int, tyro.conf.arg(help="Interactions besides that are aimed at places.")] = PLACES,
-    scale: Scale = 1.0,
-    work: Work = Path("evaluation/places"),
-    results: Results = RESULTS,
-    workers: Workers = CORES,
+    scale: options.Scale = 1.0,
+    work: options.Work = Path("evaluation/places"),
+    results: options.Results = options.RESULTS,
+    workers: options.Workers = options.CORES,
 ) -> None:
     """Learn, try, and write what came of it; a seed is reported as soon as it is done."""
-    evaluation = Evaluation("places", work, results, workers)
+    evaluation, cells = Evaluation("places", work, results, workers), tasks.cells(scale)
     domains.restore(results / DOMAINS, work)
     if (steps, places) == (STEPS, PLACES):
         take_shipped(work)
-    tried: dict[int, dict[str, Jobs]] = {}
-    cells = tasks.cells(scale)
+    of_seeds: dict[int, dict[str, Jobs]] = {}
 
     def report() -> None:
         found = evaluation.found()
-        trials = {name: [trials_of(found, of[name]) for of in tried.values()] for name, *_ in cells}
-        summary = summarise(found, trials, seeds=len(tried), steps=steps, places=places)
+        trials = {name: [trials_of(found, of[name]) for of in of_seeds.values()] for name, *_ in cells}
+        summary = summarise(found, trials, seeds=len(of_seeds), steps=steps, places=places)
         evaluation.write(summary, page(summary))
 
     for seed in range(1, seeds + 1):
@@ -78,17 +72,13 @@ def main(
         learning = {f"learn-{seed}": partial(learn, folder, seed, steps, places)}
         evaluation.perform(learning, f"seed {seed}, learning")
         domains.keep(work, results / DOMAINS, kept)
-        tried[seed] = {cell[0]: _jobs(folder, seed, cell) for cell in cells}
-        every = {name: job for jobs in tried[seed].values() for name, job in jobs.items()}
+        of_seeds[seed] = {cell[0]: _jobs(folder, seed, cell) for cell in cells}
+        every = {name: job for jobs in of_seeds[seed].values() for name, job in jobs.items()}
         evaluation.perform(every, f"seed {seed}, tasks", report)
         report()
     evaluation.perform(_baselines(work / "seed-1", cells), "baselines", report)
-    at_random = {
-        f"random-{seed}": partial(
-            _learn_at_random, work / f"seed-{seed}", work / f"random-{seed}", seed, places
-        )
-        for seed in range(1, min(seeds, AT_RANDOM) + 1)
-    }
+    some = range(1, min(seeds, AT_RANDOM) + 1)
+    at_random = {f"random-{seed}": partial(_learn_at_random, work, seed, places) for seed in some}
     evaluation.perform(at_random, "learning from random actions", report)
     report()
 
@@ -117,8 +107,9 @@ def learn(folder: Path, seed: int, steps: int, places: int) -> dict[str, Any]:
     return carries(learned.operators)
 
 
-def _learn_at_random(learned: Path, folder: Path, seed: int, places: int) -> dict[str, Any]:
+def _learn_at_random(work: Path, seed: int, places: int) -> dict[str, Any]:
     """Learn once more what carries, from as many actions at random."""
+    learned, folder = work / f"seed-{seed}", work / f"random-{seed}"
     folder.mkdir(exist_ok=True)
     for name in (WORLD, MODEL):
         shutil.copy(learned / name, folder / name)
@@ -139,12 +130,10 @@ def carries(table: OperatorTable) -> dict[str, Any]:
         away = []
         for one in (one for one in table.operators if one.primitive == symbol):
             rows = zip(one.rehearsals[: one.trials], one.objects or objects[one.category], strict=False)
-            ends = [row for row, features in rows if tasks.is_graspable(np.array(features))]
             centre = one.promise.outcome if one.promise and one.promise.kind == "carried" else None
-            away += [
-                math.dist(row.outcome, centre) if centre and row.kind == "carried" else math.inf
-                for row in ends
-            ]
+            for row in [row for row, features in rows if tasks.is_graspable(np.array(features))]:
+                carried = centre is not None and row.kind == "carried"
+                away.append(math.dist(row.outcome, centre) if carried else math.inf)
         right = float(np.mean([distance <= WITHIN for distance in away])) if away else 0.0
         if right > best["right"]:
             best = {"symbol": symbol, "right": right, "median_mm": 1000 * float(np.median(away))}
@@ -153,19 +142,16 @@ def carries(table: OperatorTable) -> dict[str, Any]:
 
 def _jobs(folder: Path, seed: int, cell: tasks.Cell) -> Jobs:
     name, draw, count = cell
-    first = FIRST_TASK + 10_000 * seed
     return {
-        f"try-{seed}-{slug(name)}-{start}": partial(
-            _try_all, folder, draw, [first + n for n in range(start, start + tasks.BLOCK)]
-        )
-        for start in range(0, count, tasks.BLOCK)
+        f"try-{seed}-{slug(name)}-{block.start}": partial(_try_all, folder, draw, seed, block)
+        for block in blocks(count, tasks.BLOCK)
     }
 
 
-def _try_all(folder: Path, draw: tasks.Draw, seeds: Sequence[int]) -> list[Any]:
+def _try_all(folder: Path, draw: tasks.Draw, seed: int, block: Sequence[int]) -> list[Any]:
     """Try tasks, blindly and with replanning; nothing depends on the clock."""
-    bench = bench_of(folder)
-    return to_json([try_task(bench.setting, draw(bench, seed), blind=True) for seed in seeds])
+    bench, first = bench_of(folder), FIRST_TASK + 10_000 * seed
+    return tried(bench.setting, (draw(bench, first + number) for number in block))
 
 
 def _baselines(folder: Path, cells: Sequence[tasks.Cell]) -> Jobs:
@@ -192,9 +178,10 @@ def _without_places(folder: Path, draw: tasks.Draw, seeds: Sequence[int]) -> lis
     bench = bench_of(folder)
     grounding = msgspec.structs.replace(bench.setting.grounding, places=None)
     setting = Setting(bench.setting.world, grounding, bench.setting.predict)
-    tried = [try_task(setting, draw(bench, seed), blind=False, time_limit=TIME_LIMIT) for seed in seeds]
-    return [one.replanned is not None and one.replanned.reached for one in tried]
+    drawn = [draw(bench, seed) for seed in seeds]
+    trials = [try_task(setting, task, blind=False, time_limit=TIME_LIMIT) for task in drawn]
+    return [one.replanned is not None and one.replanned.reached for one in trials]
 
 
 if __name__ == "__main__":
-    begin(main)
+    options.begin(main)

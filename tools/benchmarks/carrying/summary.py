@@ -1,7 +1,7 @@
 """What came of carrying to places, as plain values and as a page of Markdown tables."""
 
 from collections.abc import Mapping, Sequence
-from statistics import mean, median
+from statistics import median
 from typing import Any
 
 from neurosym.errors import counted
@@ -9,11 +9,10 @@ from tools.benchmarks.carrying import tasks
 from tools.benchmarks.jobs import Found, machine
 from tools.benchmarks.planning import figures
 from tools.benchmarks.planning.trials import Trial
-from tools.benchmarks.tables import document, percent, spread_of, table, with_interval
+from tools.benchmarks.tables import document, mean_of, percent, spread_of, table, with_interval
 
 BASELINES = ("by hand", "without places")
-RIGHT = 0.9
-"""A domain can carry if some action symbol ends graspable objects so often where it should."""
+RIGHT = 0.9  # a domain can carry if some action symbol ends graspable objects so often where it should
 
 
 def slug(name: str) -> str:
@@ -22,12 +21,7 @@ def slug(name: str) -> str:
 
 
 def summarise(
-    found: Found,
-    trials: Mapping[str, Sequence[Sequence[Trial]]],
-    *,
-    seeds: int,
-    steps: int,
-    places: int,
+    found: Found, trials: Mapping[str, Sequence[Sequence[Trial]]], *, seeds: int, steps: int, places: int
 ) -> dict[str, Any]:
     """Gather the shares of reached goals, for each seed and in the mean."""
     table: dict[str, dict[str, Any]] = {
@@ -37,11 +31,7 @@ def summarise(
     }
 
     def whole(name: str) -> float | None:
-        known = [share for share in table[name]["replanned"] if share is not None]
-        return mean(known) if known else None
-
-    def sizes(name: str) -> dict[str, float | None]:
-        return {str(n): whole(name.format(n)) for n in tasks.FAR}
+        return mean_of(table[name]["replanned"])
 
     can, at_random = (
         [found.get(f"{how}-{seed}") for seed in range(1, seeds + 1)] for how in ("learn", "random")
@@ -52,9 +42,9 @@ def summarise(
         "seeds": seeds,
         "steps": steps,
         "places": places,
-        "far_goals": sizes("graspable {}"),
-        "far_goals_20mm": sizes("graspable {}, 20 mm"),
-        "far_goals_all": sizes("all {}"),
+        "far_goals": {str(n): whole(f"graspable {n}") for n in tasks.FAR},
+        "far_goals_20mm": {str(n): whole(f"graspable {n}, 20 mm") for n in tasks.FAR},
+        "far_goals_all": {str(n): whole(f"all {n}") for n in tasks.FAR},
         **{name: whole(name) for name in ("swap", "row", "crowded")},
         "carry_seeds": sum(one is not None and one["right"] >= RIGHT for one in can),
         "carries": can,
@@ -109,7 +99,7 @@ def page(summary: Mapping[str, Any]) -> str:
         "The action symbol that carries graspable objects most surely: the share of its rehearsals that end "
         "within 15 mm of what its operator does on average, and the median distance from that. Beside it "
         "stands what is learned from as many actions at places that were drawn at random.",
-        table(["seed", "symbol", "right", "median [mm]", "at random: symbol", "right", "median [mm]"], can),
+        table("seed | symbol | right | median [mm] | at random: symbol | right | median [mm]", can),
     )
 
 
@@ -120,5 +110,5 @@ def _carrier(one: Mapping[str, Any] | None) -> tuple[str, str, str]:
 
 
 def _over_seeds(shares: Sequence[float | None], of: int) -> str:
-    known = [share for share in shares if share is not None]
-    return with_interval(mean(known) if known else None, of, spread_of([100 * one for one in known], 0))
+    known = [100 * share for share in shares if share is not None]
+    return with_interval(mean_of(shares), of, spread_of(known, 0))

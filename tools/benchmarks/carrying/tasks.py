@@ -13,14 +13,11 @@ from neurosym.operators import TOLERANCE
 from neurosym.problems import Problem
 from tools.benchmarks.world.hand_written import carry_to
 
-Draw = Callable[[Bench, int], Problem]
-"""Draws the task of a seed."""
+Draw = Callable[[Bench, int], Problem]  # draws the task of a seed
 Cell = tuple[str, Draw, int]
 """What a cell of the table is called, what draws its tasks, and how many there are for each seed."""
-NEAR = 0.02
-"""The smaller tolerance [m]."""
-BLOCK = 5
-"""Tasks that are tried together."""
+NEAR = 0.02  # the smaller tolerance [m]
+BLOCK = 5  # tasks that are tried together
 FAR = {1: 40, 2: 20, 4: 20, 8: 10}
 """How many tasks there are with goals anywhere, by how many objects they have."""
 

@@ -12,10 +12,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 CALLS = Path(__file__).parent
-INSTALLED = "installed.txt"
-"""Written into an environment when all is in it: what was asked for, a line each."""
-PRINTED, COMPLAINED = "printed.txt", "complained.txt"
-"""Where what a planner prints is kept."""
+INSTALLED = "installed.txt"  # written into an environment when all is in it: what was asked for, a line each
+PRINTED, COMPLAINED = "printed.txt", "complained.txt"  # where what a planner prints is kept
 _STEP = re.compile(r"^\s*(?:\d+(?:\.\d+)?\s*:)?\s*\(([^()]+)\)\s*(?:\[[^\]]*\])?\s*(?:;.*)?$")
 _CALLED = re.compile(r"^\s*\d+\. ([\w-]+)(?:\(([^()]*)\))?\s*$")
 _ERROR = re.compile(
@@ -116,8 +114,7 @@ PLANNERS: Mapping[str, Planner] = {
         plans=PRINTED,
         costs=False,
     ),
-}
-"""The planners, by what the table calls them."""
+}  # the planners, by what the table calls them
 
 
 def install(planner: Planner, venvs: Path) -> str:

@@ -16,8 +16,7 @@ PANELS: Mapping[str, tuple[str, Figure]] = {
     "R2 without a bottleneck": ("learn", lambda cell: cell["r2_direct"]),
     "error, high effects [mm]": ("learn", lambda cell: 1000 * float(np.mean(cell["mae"]["model"]))),
     "kinds of primitive found": ("act", lambda cell: sum(bool(pairs) for pairs in cell["kinds"].values())),
-}
-"""Which job tells each measure, and how."""
+}  # which job tells each measure, and how
 
 
 def draw(results: Mapping[str, Any], path: Path) -> None:

@@ -15,33 +15,15 @@ import tyro
 
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import DEFAULT_STRATEGY, StrategyName
-from neurosym.learning.training_config import (
-    REGIMES,
-    CodingConfig,
-    DecoderConfig,
-    DirectConfig,
-    ModelConfig,
-    TeacherConfig,
-    TrainingConfig,
-)
+from neurosym.learning import training_config as configs
+from neurosym.learning.training_config import REGIMES, ModelConfig, TeacherConfig, TrainingConfig
 from neurosym.stages.layout import INTERACTIONS
-from tools.benchmarks import domains
-from tools.benchmarks.jobs import Evaluation, Found, Job, machine
+from tools.benchmarks import domains, options
+from tools.benchmarks.jobs import Evaluation, Found, Jobs, machine
 from tools.benchmarks.learning import measures
 from tools.benchmarks.learning.curves import draw
 from tools.benchmarks.learning.measures import Data
 from tools.benchmarks.learning.tables import page
-from tools.benchmarks.options import (
-    CORES,
-    RESULTS,
-    OnlyReport,
-    Results,
-    Steps,
-    Work,
-    Workers,
-    begin,
-    check_positive,
-)
 
 STRATEGIES: tuple[StrategyName, ...] = ("random", "active", "entropy", "disagreement")
 EXPLORED: dict[StrategyName, StrategyName] = {"active": "random"}
@@ -50,15 +32,13 @@ TEST_SEED, TEST_STEPS = 1000, 11_000
 CURVE = (1024, 2560, 5120, 10_000)
 """Interactions after which the learning curves have a point; there are none of a single seed."""
 BITS = ((1, 3), (3, 3), (2, 2), (2, 4), (2, 5), (2, 6))
-FEW_SEEDS = 3
-"""Seeds of the parts that are not Tables I and II."""
+FEW_SEEDS = 3  # seeds of the parts that are not Tables I and II
 
 OURS, PAPER, PLAIN = TrainingConfig(), REGIMES["paper"], ModelConfig()
 NORMED = ModelConfig(layer_norm=True)
-AS_THEY_ARE = TeacherConfig(network=DirectConfig(gripper_sharpness=None))
-SLOW = replace(
-    OURS, learning_rate=1e-5, teacher=TeacherConfig(rate=1e-5), coding=CodingConfig(rate=1e-5), decay=False
-)
+AS_THEY_ARE = TeacherConfig(network=configs.DirectConfig(gripper_sharpness=None))
+SLOW = {"teacher": TeacherConfig(rate=1e-5), "coding": configs.CodingConfig(rate=1e-5)}
+FROM_DATA = configs.DecoderConfig(learns_from="data")
 VARIANTS: dict[str, tuple[TrainingConfig, ModelConfig]] = {
     "signs after end-to-end training": (replace(OURS, recipe="joint"), NORMED),
     "the same, decoder refitted": (replace(OURS, recipe="refit"), NORMED),
@@ -66,28 +46,24 @@ VARIANTS: dict[str, tuple[TrainingConfig, ModelConfig]] = {
     "effects in metres": (replace(OURS, standardise=False), PLAIN),
     "gripper values as they are": (replace(OURS, teacher=AS_THEY_ARE), ModelConfig(gripper_sharpness=None)),
     "no mirrors": (replace(OURS, mirrors=False), PLAIN),
-    "decoder fitted to the chosen actions": (
-        replace(OURS, decoder=DecoderConfig(learns_from="data")),
-        PLAIN,
-    ),
-    "learning rate 1e-5": (SLOW, PLAIN),
+    "decoder fitted to the chosen actions": (replace(OURS, decoder=FROM_DATA), PLAIN),
+    "learning rate 1e-5": (replace(OURS, learning_rate=1e-5, decay=False, **SLOW), PLAIN),
     "LayerNorm before the decoder": (OURS, NORMED),
     "dropout of 0.1": (OURS, ModelConfig(dropout=0.1)),
     "everything as printed": (PAPER.training, PAPER.model),
-}
-"""What is changed against our defaults, one at a time; then all of it."""
+}  # what is changed against our defaults, one at a time; then all of it
 
 
 def main(
     seeds: Annotated[int, tyro.conf.arg(help="Seeds of Tables I and II.")] = 5,
-    steps: Steps = 5120,
-    work: Work = Path("evaluation"),
-    results: Results = RESULTS,
-    workers: Workers = CORES,
-    only_report: OnlyReport = False,
+    steps: options.Steps = 5120,
+    work: options.Work = Path("evaluation"),
+    results: options.Results = options.RESULTS,
+    workers: options.Workers = options.CORES,
+    only_report: options.OnlyReport = False,
 ) -> None:
     """Explore, do every job that was not done, and write the results."""
-    check_positive(seeds=seeds, steps=steps, workers=workers)
+    options.check_positive(seeds=seeds, steps=steps, workers=workers)
     evaluation = Evaluation("learning", work, results, workers)
     report = partial(write_results, evaluation, seeds, steps)
     if not only_report:
@@ -112,7 +88,7 @@ def _data_of(work: Path, strategy: StrategyName, seed: int, steps: int) -> Data:
     return Data(work / f"{EXPLORED.get(strategy, strategy)}-{seed}", work / "test", strategy, seed, steps)
 
 
-def jobs_in_turn(work: Path, seeds: int, steps: int) -> Iterator[dict[str, Job]]:
+def jobs_in_turn(work: Path, seeds: int, steps: int) -> Iterator[Jobs]:
     """List the jobs: first those whose networks others need; all tables, and then the curves."""
     numbers = range(1, seeds + 1)
     for rows in [steps, *(rows for rows in CURVE if rows < steps and seeds > 1)]:
@@ -128,18 +104,20 @@ def jobs_in_turn(work: Path, seeds: int, steps: int) -> Iterator[dict[str, Job]]
             yield {name: job for seed in numbers for name, job in _other_jobs(work, seed, steps).items()}
 
 
-def _other_jobs(work: Path, seed: int, steps: int) -> dict[str, Job]:
+def _other_jobs(work: Path, seed: int, steps: int) -> Jobs:
     """List the job of another choice, and for the first seeds those of bits and ablations."""
     ours, end = _data_of(work, DEFAULT_STRATEGY, seed, steps), f"{seed}-{steps}"
-    jobs: dict[str, Job] = {f"choice-{end}": partial(measures.act_upon, ours, "lowest-error")}
-    if seed > FEW_SEEDS:
-        return jobs
-    for bits in BITS:
-        jobs[f"bits-{bits[0]}-{bits[1]}-{end}"] = partial(measures.variant, ours, OURS, ModelConfig(*bits))
-    jobs[f"clustered-{end}"] = partial(measures.clustered, ours, (*BITS, (2, 3)))
-    for name, configs in VARIANTS.items():
-        jobs[f"variant-{name.replace(' ', '_')}-{end}"] = partial(measures.variant, ours, *configs)
+    jobs: Jobs = {f"choice-{end}": partial(measures.act_upon, ours, "lowest-error")}
+    if seed <= FEW_SEEDS:
+        learn = partial(measures.variant, ours)
+        jobs |= {f"bits-{o}-{a}-{end}": partial(learn, OURS, ModelConfig(o, a)) for o, a in BITS}
+        jobs[f"clustered-{end}"] = partial(measures.clustered, ours, (*BITS, (2, 3)))
+        jobs |= {f"{_named(name)}-{end}": partial(learn, *how) for name, how in VARIANTS.items()}
     return jobs
+
+
+def _named(variant: str) -> str:
+    return f"variant-{variant.replace(' ', '_')}"
 
 
 def write_results(evaluation: Evaluation, seeds: int, steps: int) -> None:
@@ -173,22 +151,16 @@ def summarise(found: Found, seeds: int, steps: int) -> dict[str, Any]:
         "table1": learned,
         "table2": {
             strategy: {
-                seed: [kind for kind, pairs in figures["kinds"].items() if pairs]
-                for seed, figures in of_seeds.items()
+                seed: [kind for kind, pairs in one["kinds"].items() if pairs] for seed, one in of.items()
             }
-            for strategy, of_seeds in acted.items()
+            for strategy, of in acted.items()
         },
         "rehearsals": acted,
         "went": went,
-        "choice": {
-            "predictable": acted[DEFAULT_STRATEGY],
-            "lowest-error": by_seed(f"choice-{{}}-{steps}"),
-        },
+        "choice": {"predictable": acted[DEFAULT_STRATEGY], "lowest-error": by_seed(f"choice-{{}}-{steps}")},
         "bits": {f"{o}+{a}": by_seed(f"bits-{o}-{a}-{{}}-{steps}", few) for o, a in BITS},
         "clustered": by_seed(f"clustered-{{}}-{steps}", few),
-        "variants": {
-            name: by_seed(f"variant-{name.replace(' ', '_')}-{{}}-{steps}", few) for name in VARIANTS
-        },
+        "variants": {name: by_seed(f"{_named(name)}-{{}}-{steps}", few) for name in VARIANTS},
         "curves": {
             strategy: {
                 str(rows): {job: by_seed(f"{job}-{strategy}-{{}}-{rows}") for job in ("learn", "act")}
@@ -201,4 +173,4 @@ def summarise(found: Found, seeds: int, steps: int) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    begin(main)
+    options.begin(main)

@@ -25,12 +25,9 @@ from neurosym.primitives.distillation import distill
 from neurosym.primitives.rehearsal import Rehearsals, rehearse
 from neurosym.worlds.world_file import read_world
 
-REHEARSED = 60
-"""Objects that each primitive is rehearsed on."""
-ROWS, COLUMNS = 2000, 64
-"""Actions and objects whose predicted effects are co-clustered."""
-NINETY = 1.6449
-"""Half the width of the interval that holds 90 % of a Gaussian, in standard deviations."""
+REHEARSED = 60  # objects that each primitive is rehearsed on
+ROWS, COLUMNS = 2000, 64  # actions and objects whose predicted effects are co-clustered
+NINETY = 1.6449  # half the width of the interval that holds 90 % of a Gaussian, in standard deviations
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,19 +91,17 @@ def assess_on_test(trained: Trained, seen: Interactions, test: Interactions) -> 
     direct = trained.direct.predict(test.features, test.actions)
     r2_direct = r_squared(direct, effects)
     high = np.flatnonzero(has_high_effect(effects))[:TEST_ROWS]
-    guesses = {
-        "model": mean,
-        "without a bottleneck": direct,
-        **trivial_predictions(seen.effects, len(effects)),
-    }
+    guesses = {"model": mean, "without a bottleneck": direct}
+    guesses |= trivial_predictions(seen.effects, len(effects))
+    errors = {name: np.abs(guess - effects) for name, guess in guesses.items()}
     return {
         "r2_through_codes": float(r2.mean()),
         "r2_through_codes_by_axis": r2.tolist(),
         "r2_direct": float(r2_direct.mean()),
         "r2_direct_by_axis": r2_direct.tolist(),
         "share": share_of(float(r2.mean()), float(r2_direct.mean())),
-        "mae": {name: np.abs(guess - effects)[high].mean(0).tolist() for name, guess in guesses.items()},
-        "mae_unfiltered": {name: np.abs(guess - effects).mean(0).tolist() for name, guess in guesses.items()},
+        "mae": {name: off[high].mean(0).tolist() for name, off in errors.items()},
+        "mae_unfiltered": {name: off.mean(0).tolist() for name, off in errors.items()},
         "test_rows": len(high),
         "test_rows_unfiltered": len(test),
         "action_codes": _shares(model.action_symbols(test.actions), model.config.action_bits),
@@ -191,17 +186,14 @@ def _operators(rehearsals: Rehearsals, lift_height: float) -> list[dict[str, Any
             kind = max(sorted(set(kinds)), key=kinds.count)
             of_kind = [o for o, k in zip(members, kinds, strict=True) if k == kind]
             ended = np.array([o.effect if o.held else o.resting_effect for o in of_kind])
-            rows.append(
-                {
-                    "primitive": primitive.label,
-                    "category": str(symbol),
-                    "objects": len(members),
-                    "kind": kind,
-                    "share": len(of_kind) / len(members),
-                    "mean": ended.mean(0).tolist(),
-                    "spread": ended.std(0).tolist(),
-                }
-            )
+            row = {
+                "primitive": primitive.label,
+                "category": str(symbol),
+                "objects": len(members),
+                "kind": kind,
+            }
+            means = {"mean": ended.mean(0).tolist(), "spread": ended.std(0).tolist()}
+            rows.append({**row, "share": len(of_kind) / len(members), **means})
     return rows
 
 

@@ -14,6 +14,7 @@ BySeed = Mapping[str, Mapping[str, Any]]
 def page(results: Mapping[str, Any]) -> str:
     """Write the page."""
     ours, missing = results["default_strategy"], results["missing"]
+    rows = next((int(c["test_rows"]) for c in results["table1"][ours].values()), 0)
     return document(
         "# Learning, measured",
         f"By `{results['command']}`, which wrote this page, `learning.json` and `learning.png`. "
@@ -38,7 +39,7 @@ def page(results: Mapping[str, Any]) -> str:
         f"Our defaults on the data of *{ours}*, with one thing changed; the last row changes all.",
         _variants(results, ours),
         "## Table I: errors of prediction",
-        f"Mean absolute error [mm] on the {_test_rows(results['table1'][ours]):,} first test interactions "
+        f"Mean absolute error [mm] on the {rows:,} first test interactions "
         "whose absolute displacements sum to 8 cm or more. *Always mean* and the median are those of the "
         "training data of *random*. *active* learns from such interactions only, which helps here and costs "
         "it below.",
@@ -49,7 +50,7 @@ def page(results: Mapping[str, Any]) -> str:
         _calibration(results["table1"]),
         "## Table II: primitives",
         "In how many seeds each kind was found, by the rule in docs/learning.md.",
-        _table2(results["table2"]),
+        table(*kinds_table(results["table2"], "seed")),
         "## Primitives, rehearsed",
         "How widely effects spread, of operators (a primitive on objects of one symbol) with 60 % or more of "
         "their rehearsals of one kind. The limit is 1 cm on each axis for grasps and placements, 2.5 cm for "
@@ -68,37 +69,27 @@ def page(results: Mapping[str, Any]) -> str:
 
 
 def _held(found: Mapping[str, BySeed]) -> str:
+    def shares(cells: BySeed) -> str:
+        """Tell the share of what can be known; where that is nothing, there is none."""
+        nothing = any(c["r2_direct"] <= 0 for c in cells.values())
+        return "none: R2 below 0" if nothing else _spread([c["share"] for c in cells.values()])
+
+    def rarest(cells: BySeed, codes: str) -> str:
+        return _spread([min(c[codes].values()) for c in cells.values()])
+
     rows = [
-        [
-            strategy,
-            str(len(cells)),
-            *_spread_of(cells, ["r2_through_codes", "r2_direct"]),
-            _shares(cells),
-            _spread([min(c["action_codes"].values()) for c in cells.values()]),
-            _spread([min(c["action_codes_in_training"].values()) for c in cells.values()]),
-        ]
+        [strategy, *_spread_of(cells, ["r2_through_codes", "r2_direct"]), shares(cells)]
+        + [rarest(cells, codes) for codes in ("action_codes", "action_codes_in_training")]
         for strategy, cells in found.items()
     ]
-    columns = ["data of", "seeds", "R2 through codes", "R2 without bottleneck", "share"]
-    rare = ["rarest action code, test", "rarest, training data"]
-    return table([*columns, *rare], rows)
-
-
-def _shares(cells: BySeed) -> str:
-    """Tell the share of what can be known; where that is nothing, there is none."""
-    if any(c["r2_direct"] <= 0 for c in cells.values()):
-        return "none: R2 below 0"
-    return _spread([c["share"] for c in cells.values()])
+    columns = "data of | seeds | R2 through codes | R2 without bottleneck | share"
+    return table(f"{columns} | rarest action code, test | rarest, training data", rows)
 
 
 def _first_seeds(cells: BySeed, others: Iterable[BySeed]) -> BySeed:
     """Keep the seeds that others were tried with, too."""
     seeds = {seed for other in others for seed in other}
     return {seed: c for seed, c in cells.items() if seed in seeds} or cells
-
-
-def _test_rows(cells: BySeed) -> int:
-    return next((int(c["test_rows"]) for c in cells.values()), 0)
 
 
 def _by_axis(cells: BySeed) -> str:
@@ -108,135 +99,112 @@ def _by_axis(cells: BySeed) -> str:
         + [", ".join(f"{code} {held:.0%}" for code, held in c["object_contrast"]["held"].items())]
         for seed, c in cells.items()
     ]
-    explained = ["explained by action codes", "by action and object codes"]
-    return table(["seed", "x", "y", "z", "share", *explained, "held, by object code"], rows)
+    columns = "seed | x | y | z | share | explained by action codes | by action and object codes"
+    return table(f"{columns} | held, by object code", rows)
 
 
 def _bits(results: Mapping[str, Any], ours: str) -> str:
     few = _first_seeds(results["table1"][ours], results["bits"].values())
-    by_bits = {**results["bits"], "2+3": few}
     rows = [
         [
             bits,
-            str(len(cells)),
             *_spread_of(cells, ["r2_through_codes", "share"]),
-            *_spread_of(results["clustered"], [bits]),
+            *_spread_of(results["clustered"], [bits])[1:],
         ]
-        for bits, cells in sorted(by_bits.items())
+        for bits, cells in sorted({**results["bits"], "2+3": few}.items())
     ]
-    columns = ["object + action bits", "seeds", "R2 through codes", "share", "share that clustering keeps"]
+    columns = "object + action bits | seeds | R2 through codes | share | share that clustering keeps"
     return table(columns, rows)
 
 
 def _variants(results: Mapping[str, Any], ours: str) -> str:
     few = _first_seeds(results["table1"][ours], results["variants"].values())
-    rows = [
-        [
-            name,
-            str(len(cells)),
-            *_spread_of(cells, ["r2_through_codes", "r2_direct"]),
-            _spread([sum(share > 0.03 for share in c["action_codes"].values()) for c in cells.values()], 1),
-        ]
-        for name, cells in {"ours": few, **results["variants"]}.items()
-    ]
-    columns = ["", "seeds", "R2 through codes", "R2 without bottleneck", "action codes above 3 %"]
-    return table(columns, rows)
+    rows = []
+    for name, cells in {"ours": few, **results["variants"]}.items():
+        used = [sum(share > 0.03 for share in c["action_codes"].values()) for c in cells.values()]
+        rows.append([name, *_spread_of(cells, ["r2_through_codes", "r2_direct"]), _spread(used, 1)])
+    return table(" | seeds | R2 through codes | R2 without bottleneck | action codes above 3 %", rows)
 
 
 def _table1(found: Mapping[str, BySeed], which: str) -> str:
+    def row(title: str, cells: BySeed, name: str) -> list[str]:
+        axes = [[1000 * c[which][name][axis] for c in cells.values()] for axis in range(3)]
+        return [title, str(len(cells)), *(_spread(axis, 1) for axis in axes)]
+
     known = {name: cells for name, cells in found.items() if cells}
-    some = next(iter(known.values()), {})
-    rows = [[name, str(len(cells)), *_errors(cells, which, "model")] for name, cells in found.items()]
-    rows += [
-        [f"{name}, without a bottleneck", str(len(cells)), *_errors(cells, which, "without a bottleneck")]
-        for name, cells in known.items()
-    ]
-    baselines = ("always zero", "always mean", "per-axis median")
-    rows += [[name, str(len(some)), *_errors(some, which, name)] for name in baselines]
-    return table(["", "seeds", "x", "y", "z"], rows)
-
-
-def _errors(cells: BySeed, which: str, name: str) -> list[str]:
-    return [_spread([1000 * c[which][name][axis] for c in cells.values()], 1) for axis in range(3)]
+    some, direct = next(iter(known.values()), {}), "without a bottleneck"
+    rows = [row(name, cells, "model") for name, cells in found.items()]
+    rows += [row(f"{name}, {direct}", cells, direct) for name, cells in known.items()]
+    rows += [row(name, some, name) for name in ("always zero", "always mean", "per-axis median")]
+    return table(" | seeds | x | y | z", rows)
 
 
 def _calibration(found: Mapping[str, BySeed]) -> str:
-    names = ["nll", "nll_of_constant_gaussian", "within_90"]
     rows = [
-        [strategy, str(len(cells)), *_spread_of(cells, names)]
+        [strategy, *_spread_of(cells, ["nll", "nll_of_constant_gaussian", "within_90"])]
         for strategy, cells in found.items()
         if cells and all("nll" in c for c in cells.values())
     ]
-    return table(["", "seeds", "NLL", "of one Gaussian for all", "within 90 % interval"], rows)
-
-
-def _table2(found: Mapping[str, Mapping[str, Sequence[str]]]) -> str:
-    return table(*kinds_table(found, "seed"))
+    return table(" | seeds | NLL | of one Gaussian for all | within 90 % interval", rows)
 
 
 def _rehearsed(found: Mapping[str, BySeed]) -> str:
     rows = []
     for strategy, cells in found.items():
-        operators = [row for c in cells.values() for row in c["operators"] if _is_of_a_kind(row)]
         for kind in KINDS:
-            of_kind = [row for row in operators if row["kind"] == kind]
-            if of_kind:
+            if of_kind := [row for row in _of_some_kind(cells) if row["kind"] == kind]:
+                most = 10 if kind in ("grasp", "pick and place") else 25  # [mm]
                 widest = [1000 * max(row["spread"]) for row in of_kind]
-                within = f"{sum(spread < _most_spread(kind) for spread in widest)} of {len(of_kind)}"
+                within = f"{sum(spread < most for spread in widest)} of {len(of_kind)}"
                 shares = [row["share"] for row in of_kind]
                 rows.append([strategy, kind, _spread(shares), _spread(widest, 1), within])
-    columns = ["", "kind", "share of rehearsals", "spread, worst axis [mm]", "operators within the limit"]
+    columns = " | kind | share of rehearsals | spread, worst axis [mm] | operators within the limit"
     return table(columns, rows)
 
 
-def _most_spread(kind: str) -> float:
-    """Say how widely effects may spread [mm]: in a push, the width of an object counts."""
-    return 10 if kind in ("grasp", "pick and place") else 25
-
-
-def _is_of_a_kind(row: Mapping[str, Any]) -> bool:
-    return row["kind"] in KINDS and row["share"] >= 0.6 and row["objects"] >= 6
+def _of_some_kind(cells: BySeed) -> list[Mapping[str, Any]]:
+    """List the operators that mostly did one kind of thing."""
+    every = (row for c in cells.values() for row in c["operators"] if row["kind"] in KINDS)
+    return [row for row in every if row["share"] >= 0.6 and row["objects"] >= 6]
 
 
 def _choices(choices: Mapping[str, BySeed]) -> str:
     rows = []
     for name, cells in choices.items():
-        kept = [row["share"] for c in cells.values() for row in c["operators"] if _is_of_a_kind(row)]
-        found = [sum(bool(pairs) for pairs in c["kinds"].values()) for c in cells.values()]
+        kept = [row["share"] for row in _of_some_kind(cells)]
         errors = [max(c["code_errors"].values()) for c in cells.values()]
         seconds = [c["distillation_seconds"] for c in cells.values()]
-        row = [_spread(found, 1), str(len(kept)), _spread(kept), _spread(errors, 4), _spread(seconds, 1)]
+        row = [_kinds_found(cells), str(len(kept)), _spread(kept), _spread(errors, 4), _spread(seconds, 1)]
         rows.append([name, str(len(cells)), *row])
-    columns = ["choice", "seeds", "kinds found", "operators of some kind", "share that turned out so"]
-    return table([*columns, "worst code error", "distillation [s]"], rows)
+    columns = "choice | seeds | kinds found | operators of some kind | share that turned out so"
+    return table(f"{columns} | worst code error | distillation [s]", rows)
+
+
+def _kinds_found(cells: BySeed) -> str:
+    return _spread([sum(bool(pairs) for pairs in c["kinds"].values()) for c in cells.values()], 1)
 
 
 def _went(found: Mapping[str, BySeed]) -> str:
     names = list(dict.fromkeys(name for cells in found.values() for c in cells.values() for name in c))
-    rows = [[strategy, str(len(cells)), *_spread_of(cells, names)] for strategy, cells in found.items()]
-    return table(["", "seeds", *names], rows)
+    return table(["", "seeds", *names], [[one, *_spread_of(cells, names)] for one, cells in found.items()])
 
 
 def _curves(curves: Mapping[str, Mapping[str, Mapping[str, BySeed]]]) -> str:
-    rows = [
-        [
-            strategy,
-            rows,
-            str(len(jobs["learn"])),
-            *_spread_of(jobs["learn"], ["r2_through_codes", "r2_direct"]),
-            _spread([1000 * float(np.mean(c["mae"]["model"])) for c in jobs["learn"].values()], 1),
-            _spread([sum(bool(pairs) for pairs in c["kinds"].values()) for c in jobs["act"].values()], 1),
-        ]
-        for strategy, by_rows in curves.items()
-        for rows, jobs in by_rows.items()
-        if jobs["learn"]
-    ]
-    columns = ["", "interactions", "seeds", "R2 through codes", "R2 without bottleneck"]
-    return table([*columns, "error, high effects [mm]", "kinds found"], rows)
+    rows = []
+    for strategy, steps, jobs in [
+        (one, *pair) for one, by_steps in curves.items() for pair in by_steps.items()
+    ]:
+        if learned := jobs["learn"]:
+            errors = [1000 * float(np.mean(c["mae"]["model"])) for c in learned.values()]
+            r2 = _spread_of(learned, ["r2_through_codes", "r2_direct"])
+            rows.append([strategy, steps, *r2, _spread(errors, 1), _kinds_found(jobs["act"])])
+    columns = " | interactions | seeds | R2 through codes | R2 without bottleneck"
+    return table(f"{columns} | error, high effects [mm] | kinds found", rows)
 
 
 def _spread_of(cells: BySeed, names: Iterable[str]) -> list[str]:
-    return [_spread([c[name] for c in cells.values()]) for name in names]
+    """Write how many seeds there are, and mean and spread of figures over them."""
+    return [str(len(cells)), *(_spread([c[name] for c in cells.values()]) for name in names)]
 
 
 def _spread(values: Sequence[float], digits: int = 3) -> str:

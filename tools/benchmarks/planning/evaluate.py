@@ -12,40 +12,27 @@ from typing import Annotated
 import tyro
 
 from neurosym.files import write_atomically
+from tools.benchmarks import options
 from tools.benchmarks.jobs import Evaluation, as_text
-from tools.benchmarks.options import (
-    CORES,
-    RESULTS,
-    OnlyReport,
-    Results,
-    Steps,
-    Work,
-    Workers,
-    begin,
-    check_positive,
-)
 from tools.benchmarks.planning.jobs import USUAL, Agenda, Strategy, size_of
 from tools.benchmarks.planning.pictures import draw_scaling, draw_table3
 from tools.benchmarks.planning.summary import summarise
 from tools.benchmarks.planning.tables import page, scaling_page
 
-REPORT_EVERY = 60.0
-"""Seconds between two reports while jobs are being done."""
+REPORT_EVERY = 60.0  # seconds between two reports while jobs are being done
 
 
 def main(
     seeds: Annotated[int, tyro.conf.arg(help="Seeds of Table III; 1 is the short form.")] = 5,
-    steps: Steps = 2560,
-    strategies: Annotated[
-        tuple[Strategy, ...], tyro.conf.arg(help="Strategies of exploration that Table III compares.")
-    ] = USUAL,
-    work: Work = Path("evaluation/planning"),
-    results: Results = RESULTS,
-    workers: Workers = CORES,
-    only_report: OnlyReport = False,
+    steps: options.Steps = 2560,
+    strategies: Annotated[tuple[Strategy, ...], tyro.conf.arg(help="Whom Table III compares.")] = USUAL,
+    work: options.Work = Path("evaluation/planning"),
+    results: options.Results = options.RESULTS,
+    workers: options.Workers = options.CORES,
+    only_report: options.OnlyReport = False,
 ) -> None:
     """Learn, do every job that was not done, and write the results."""
-    check_positive(seeds=seeds, steps=steps, workers=workers)
+    options.check_positive(seeds=seeds, steps=steps, workers=workers)
     evaluation = Evaluation("planning", work, results, workers)
     agenda, last = Agenda(work, size_of(seeds, steps, strategies)), time.monotonic()
 
@@ -75,4 +62,4 @@ def write_results(evaluation: Evaluation, agenda: Agenda) -> None:
 
 
 if __name__ == "__main__":
-    begin(main)
+    options.begin(main)

@@ -1,6 +1,6 @@
 """Figures of trials: shares, Brier scores, and errors of promises."""
 
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -8,11 +8,10 @@ import numpy as np
 
 from neurosym.stages.plan_records import MORE_MOTIONS
 from tools.benchmarks.planning.trials import Step, Trial
+from tools.benchmarks.tables import mean_of, share_of, tally
 
-BIN = 50
-"""Least number of plans in a bin of the calibration."""
-TELLING = 20
-"""Least number of steps of a category that can be the worst."""
+BIN = 50  # least number of plans in a bin of the calibration
+TELLING = 20  # least number of steps of a category that can be the worst
 WAYS = ("blind", "replanned")
 _RESAMPLES = 2000
 
@@ -20,7 +19,7 @@ _RESAMPLES = 2000
 def share(trials: Sequence[Trial], way: str = "replanned") -> float | None:
     """Return the share of trials that ended at their goal, which needs a plan; None if there are none."""
     runs = [getattr(trial, way) for trial in trials]
-    return sum(run is not None and run.reached for run in runs) / len(runs) if runs else None
+    return share_of(sum(run is not None and run.reached for run in runs), len(runs))
 
 
 def steps_of(trials: Iterable[Trial], way: str = "replanned") -> list[Step]:
@@ -30,8 +29,7 @@ def steps_of(trials: Iterable[Trial], way: str = "replanned") -> list[Step]:
 
 def motions(trials: Sequence[Trial]) -> float | None:
     """Return the mean number of primitives performed for a task with a plan; None if there is none."""
-    counts = [len(trial.replanned.steps) for trial in trials if trial.replanned]
-    return float(np.mean(counts)) if counts else None
+    return mean_of(len(trial.replanned.steps) for trial in trials if trial.replanned)
 
 
 def promise_errors(steps: Sequence[Step]) -> dict[str, Any]:
@@ -42,14 +40,14 @@ def promise_errors(steps: Sequence[Step]) -> dict[str, Any]:
             by_category[step.category].append(step.error)
     every = [error for errors in by_category.values() for error in errors]
     telling = {name: _rms(errors) for name, errors in by_category.items() if len(errors) >= TELLING}
-    worst = max(telling, key=lambda name: telling[name] or 0.0, default=None)
+    worst = max(telling, key=lambda name: telling[name] or 0.0, default="")
     return {
         "steps": len(every),
         "all": _rms(every),
         "median": float(np.median(every)) if every else None,
-        "worst": telling[worst] if worst else None,
+        "worst": telling.get(worst),
         "worst_median": float(np.median(by_category[worst])) if worst else None,
-        "worst_category": worst,
+        "worst_category": worst or None,
     }
 
 
@@ -85,19 +83,13 @@ def rms_interval(trials: Sequence[Trial], way: str = "replanned") -> tuple[float
 
 def ended_by(trials: Iterable[Trial]) -> dict[str, int]:
     """Count what ended the trials that missed: how the run ended, and the worst that happened in it."""
-    return counted(
+    return tally(
         f"{trial.replanned.ended}: {trial.replanned.kind}"
         if trial.replanned
         else f"no plan at the start ({trial.status})"
         for trial in trials
         if not (trial.replanned and trial.replanned.reached)
     )
-
-
-def counted(names: Iterable[str]) -> dict[str, int]:
-    """Count names but empty ones, the most frequent first."""
-    known = Counter(filter(None, names))
-    return dict(sorted(known.items(), key=lambda item: (-item[1], item[0])))
 
 
 def calibration(trials: Iterable[Trial]) -> dict[str, Any]:
@@ -119,26 +111,23 @@ def calibration_replanned(trials: Iterable[Trial]) -> dict[str, Any]:
 
 
 def _calibrated(pairs: Sequence[tuple[float, bool]]) -> dict[str, Any]:
-    """Compare chances with what came: the Brier score is the mean squared distance between the two."""
+    """Compare chances with what came: the Brier score is the mean squared distance between the two.
+
+    Plans are cut by their chance into bins of nearly the same number, each of `BIN` plans at least.
+    """
     chances, came = np.array(pairs, dtype=float).reshape(-1, 2).T
-    known = len(came) > 0
+    order = np.argsort(chances, kind="stable")
+    bins = np.array_split(order, max(1, len(order) // BIN)) if len(order) else []
     return {
         "plans": len(chances),
-        "brier": float(np.mean((chances - came) ** 2)) if known else None,
-        "base_rate": float(came.mean()) if known else None,
-        "brier_of_base_rate": float(np.mean((came.mean() - came) ** 2)) if known else None,
-        "bins": bins(chances, came),
+        "brier": mean_of(((chances - came) ** 2).tolist()),
+        "base_rate": mean_of(came.tolist()),
+        "brier_of_base_rate": mean_of(((came - (mean_of(came.tolist()) or 0.0)) ** 2).tolist()),
+        "bins": [
+            {"plans": len(part), "chance": float(chances[part].mean()), "reached": float(came[part].mean())}
+            for part in bins
+        ],
     }
-
-
-def bins(chances: np.ndarray, came: np.ndarray, least: int = BIN) -> list[dict[str, float]]:
-    """Cut plans by their chance into bins of nearly the same number, each of a least number of plans."""
-    order = np.argsort(chances, kind="stable")
-    parts = np.array_split(order, max(1, len(order) // least)) if len(order) else []
-    return [
-        {"plans": len(part), "chance": float(chances[part].mean()), "reached": float(came[part].mean())}
-        for part in parts
-    ]
 
 
 def _rms(errors: Sequence[float]) -> float | None:

@@ -10,7 +10,7 @@ from typing import Any, Literal, NamedTuple
 from neurosym.data.origin import StrategyName
 from neurosym.planners import PLANNERS
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD
-from tools.benchmarks.jobs import Job
+from tools.benchmarks.jobs import Jobs
 from tools.benchmarks.planning import measures
 from tools.benchmarks.planning.tasks import DIFFICULTIES
 from tools.benchmarks.planning.trials import PLANNER
@@ -22,10 +22,8 @@ STRATEGIES: dict[Strategy, StrategyName] = {
     "random": "random",
     "active": "active",
     "entropy": "entropy",
-}
-"""What Table III compares, and what `neurosym explore` calls it; entropy is the paper's own curiosity."""
-USUAL: tuple[Strategy, ...] = ("curiosity", "random", "active")
-"""Who is compared unless asked otherwise."""
+}  # what Table III compares, and what `neurosym explore` calls it; entropy is the paper's own curiosity
+USUAL: tuple[Strategy, ...] = ("curiosity", "random", "active")  # who is compared unless asked otherwise
 SIZES = {"single": 1, "double": 2}
 COMPARED = ("bfs", PLANNER)
 TOLERANCES = (0.05, 0.02)
@@ -46,12 +44,9 @@ CONTENDERS: dict[str, tuple[str, dict[str, Any]]] = {
     "numeric with Kairos, whole, no costs": ("kairos", _NUMERIC | {"whole": True}),
     "numeric with ENHSP, object by object, no costs": ("enhsp", _NUMERIC),
     "counting": ("counting", {}),
-}
-"""Who is tried at scale: the planner, and what it is asked for; without costs, all operators cost alike."""
+}  # who is tried at scale: the planner, and what it is asked for; without costs, all operators cost alike
 
-Jobs = dict[str, Job]
-Turn = tuple[str, Jobs]
-"""What jobs are about, and the jobs by name."""
+Turn = tuple[str, Jobs]  # what jobs are about, and the jobs by name
 
 
 class Size(NamedTuple):
@@ -130,14 +125,12 @@ class Agenda:
             return {job: do for name in names for job, do in self.table3(name, tolerance).items()}
 
         jobs, steps = tried(), self.size.steps
-        if learn and not all((self.work / "jobs" / f"{job}.json").exists() for job in jobs):
+        if learn and not all(self._file(job).exists() for job in jobs):
             yield (
                 f"learning, seed {seed}",
                 {
-                    f"learn-{name}-{steps}": partial(
-                        measures.learn, self._folder(name), strategy, seed, steps
-                    )
-                    for name, strategy in names.items()
+                    f"learn-{name}-{steps}": partial(measures.learn, self._folder(name), how, seed, steps)
+                    for name, how in names.items()
                 },
             )
             jobs = {name: job for name, job in tried().items() if "-none-" not in name}
@@ -151,19 +144,16 @@ class Agenda:
 
     def precision(self, tolerance: float) -> Jobs:
         """List the jobs that try tasks drawn as the paper draws them."""
-        prefix = f"precision-{stamp(SHIPPED)}-{1000 * tolerance:g}mm"
-        return self._on_drawn(
-            prefix, self.size.precise, partial(measures.precise, SHIPPED, tolerance=tolerance)
-        )
+        prefix, measure = f"precision-{stamp(SHIPPED)}-{1000 * tolerance:g}mm", measures.precise
+        return self._on_drawn(prefix, self.size.precise, partial(measure, SHIPPED, tolerance=tolerance))
 
     def far(self) -> dict[int, Jobs]:
         """List the jobs that try tasks with goals anywhere, each a few, by how many objects there are."""
+        prefix = f"far-{stamp(SHIPPED)}"
         return {
             objects: {
-                f"far-{stamp(SHIPPED)}-{objects}-{_block_name(block)}": partial(
-                    measures.far, SHIPPED, objects, block
-                )
-                for block in blocks(count, _FAR_BLOCK)
+                f"{prefix}-{objects}-{_block_name(few)}": partial(measures.far, SHIPPED, objects, few)
+                for few in blocks(count, _FAR_BLOCK)
             }
             for objects, count in zip(FAR_OBJECTS, self.size.far, strict=True)
         }
@@ -175,18 +165,19 @@ class Agenda:
 
     def costless(self) -> Jobs:
         """List the jobs that plan without costs in the shipped domain."""
-        prefix = f"costless-{stamp(SHIPPED)}"
-        return self._on_drawn(prefix, self.size.tasks, partial(measures.without_costs, SHIPPED))
+        measure = partial(measures.without_costs, SHIPPED)
+        return self._on_drawn(f"costless-{stamp(SHIPPED)}", self.size.tasks, measure)
 
     def symbolic(self) -> Jobs:
         """List the jobs of symbolic tasks, all sizes in turn."""
+        prefix = f"symbolic-{stamp(SHIPPED)}"
         return {
-            f"symbolic-{stamp(SHIPPED)}-{objects}-{difficulty}-{_block_name(block)}": partial(
-                measures.symbolic, SHIPPED, objects, difficulty, block
+            f"{prefix}-{objects}-{hard}-{_block_name(some)}": partial(
+                measures.symbolic, SHIPPED, objects, hard, some
             )
-            for block in blocks(self.size.symbolic)
+            for some in blocks(self.size.symbolic)
             for objects in SYMBOLIC_OBJECTS
-            for difficulty in DIFFICULTIES
+            for hard in DIFFICULTIES
         }
 
     def kinds(self) -> Jobs:
@@ -218,13 +209,9 @@ class Agenda:
 
     def _scaling(self) -> Jobs:
         """List the jobs of the scaling table, for planners that there are."""
+        measure = partial(measures.scaling, SHIPPED / GROUNDING)
         return {
-            self.contender(*cell, name): partial(
-                measures.scaling,
-                SHIPPED / GROUNDING,
-                self.work / "jobs" / f"{self._cell(*cell)}.json",
-                *asked,
-            )
+            self.contender(*cell, name): partial(measure, self._file(self._cell(*cell)), *asked)
             for cell in CELLS
             for name, asked in CONTENDERS.items()
             if asked[0] in PLANNERS
@@ -242,7 +229,10 @@ class Agenda:
         }
 
     def _drawn(self, objects: int, block: Sequence[int]) -> Path:
-        return self.work / "jobs" / f"drawn-{objects}-{_block_name(block)}.json"
+        return self._file(f"drawn-{objects}-{_block_name(block)}")
+
+    def _file(self, job: str) -> Path:
+        return self.work / "jobs" / f"{job}.json"
 
     def _folder(self, name: str) -> Path:
         return SHIPPED if name == "shipped" else self.work / "domains" / name

@@ -19,6 +19,7 @@ from neurosym.evaluation.comparison import Bench, compare, planner_of
 from neurosym.evaluation.paper_tables import KINDS, LEAST_OBJECTS, LEAST_SHARE, kind_of
 from neurosym.execution.executor import execute
 from neurosym.execution.performance import summarise_run
+from neurosym.execution.record import Run
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE
 from neurosym.planners import PlanResult, PlanStatus, plan
@@ -27,7 +28,7 @@ from neurosym.tasks.transition import primitives, validate
 from tools.benchmarks import domains
 from tools.benchmarks.domains import bench_of
 from tools.benchmarks.planning.tasks import draw_symbolic, fewest_steps
-from tools.benchmarks.planning.trials import PLANNER, to_json, try_task
+from tools.benchmarks.planning.trials import PLANNER, tried
 
 TIME_LIMIT = 30.0  # of one plan for a drawn task [s]
 CAP = 30.0  # of one plan for a scaling task [s]
@@ -61,33 +62,29 @@ def judge(folder: Path, drawn: Path, *, tolerance: float, planners: Sequence[str
 def precise(folder: Path, drawn: Path, *, tolerance: float) -> list[Any]:
     """Try tasks that were drawn, blindly and with replanning."""
     bench = bench_of(folder)
-    tasks = _read_tasks(bench, drawn, tolerance)
-    return to_json([try_task(bench.setting, task, blind=True, time_limit=TIME_LIMIT) for task in tasks])
+    return tried(bench.setting, _read_tasks(bench, drawn, tolerance), time_limit=TIME_LIMIT)
 
 
 def far(folder: Path, objects: int, seeds: Sequence[int]) -> list[Any]:
     """Try tasks with goals anywhere, with replanning."""
     bench = bench_of(folder)
-    tasks = [bench.draw(objects, seed, TOLERANCE, "anywhere") for seed in seeds]
-    return to_json([try_task(bench.setting, task, blind=False) for task in tasks])
+    return tried(
+        bench.setting, (bench.draw(objects, seed, TOLERANCE, "anywhere") for seed in seeds), blind=False
+    )
 
 
 def kinds(folder: Path) -> list[str] | None:
-    """Say which of the six kinds of primitive the operators of a domain are."""
-    return kinds_of(bench_of(folder).setting.grounding)
+    """Say by the rule of `paper_tables` which kinds of primitive the operators of a domain are.
 
-
-def kinds_of(grounding: Grounding) -> list[str] | None:
-    """Say by the rule of `paper_tables` which kinds there are; None if the rehearsals are not kept."""
+    None if the rehearsals are not kept.
+    """
+    grounding, found = bench_of(folder).setting.grounding, set[str]()
     telling = {one.symbol for one in grounding.operators.categories if one.share >= LEAST_OBJECTS}
     rehearsed = [op for op in grounding.operators.operators if op.category in telling and op.rehearsals]
-    if not rehearsed:
-        return None
-    found = set()
     for operator in rehearsed:
         told = [kind_of(one, grounding.lift_height) for one in operator.rehearsals[: operator.trials]]
         found |= {kind for kind in KINDS if told.count(kind) >= LEAST_SHARE * len(told)}
-    return [kind for kind in KINDS if kind in found]
+    return [kind for kind in KINDS if kind in found] if rehearsed else None
 
 
 def symbolic(folder: Path, objects: int, difficulty: str, seeds: Sequence[int]) -> list[Any]:
@@ -108,14 +105,11 @@ def disturbed(folder: Path, drawn: Path) -> list[Any]:
     world, grounding = bench.setting.world, bench.setting.grounding
     solve = planner_of(bench.setting, PLANNER, time_limit=TIME_LIMIT)
     for task in _read_tasks(bench, drawn, TOLERANCE):
-        result = solve(task, grounding)
-        is_solved = result.status is PlanStatus.SOLVED
-        entry: dict[str, Any] = {"task": task.name, "solvable": is_solved, "status": result.status.value}
-        if is_solved:
-            seed = int(task.name.rpartition("-")[2])
+        result, seed = solve(task, grounding), int(task.name.rpartition("-")[2])
+        entry: dict[str, Any] = {"task": task.name, "solvable": False, "status": result.status.value}
+        if result.status is PlanStatus.SOLVED:
             run = execute(world, task, grounding, result.steps, replanner=solve, nudge_seed=seed)
-            entry["nudge"] = msgspec.to_builtins(run.nudge)
-            entry["run"] = msgspec.to_builtins(summarise_run(run, grounding))
+            entry |= {"solvable": True, "nudge": msgspec.to_builtins(run.nudge), "run": _in_short(run, bench)}
         found.append(entry)
     return found
 
@@ -129,12 +123,19 @@ def without_costs(folder: Path, drawn: Path) -> list[Any]:
         result = plan(task, flat, PLANNER, time_limit=TIME_LIMIT)
         entry: dict[str, Any] = {"task": task.name, "status": result.status.value}
         if result.status is PlanStatus.SOLVED:
-            run = execute(world, task, grounding, result.steps)
-            entry["valid"] = validate(result.steps, task, grounding).valid
-            entry["primitives"] = primitives(result.steps)
-            entry["run"] = msgspec.to_builtins(summarise_run(run, grounding))
+            entry |= _replayed(result, task, grounding)
+            entry["run"] = _in_short(execute(world, task, grounding, result.steps), bench)
         found.append(entry)
     return found
+
+
+def _replayed(result: PlanResult, task: Problem, grounding: Grounding) -> dict[str, Any]:
+    valid = validate(result.steps, task, grounding).valid
+    return {"valid": valid, "primitives": primitives(result.steps)}
+
+
+def _in_short(run: Run, bench: Bench) -> Any:
+    return msgspec.to_builtins(summarise_run(run, bench.setting.grounding))
 
 
 def flattened(grounding: Grounding) -> Grounding:
@@ -175,8 +176,7 @@ def scaling(grounding_file: Path, drawn: Path, planner: str, options: Mapping[st
         seconds = time.perf_counter() - begin
         row = {"status": result.status.value, "seconds": seconds, "fewest": entry["fewest"]}
         if result.status is PlanStatus.SOLVED:
-            row["primitives"] = primitives(result.steps)
-            row["valid"] = validate(result.steps, task, grounding).valid
+            row |= _replayed(result, task, grounding)
         rows.append({**row, "reason": result.reason})
     own, children = _memory(resource.RUSAGE_SELF), _memory(resource.RUSAGE_CHILDREN)
     memory = {"children": children, "own": own, "own_before": before}

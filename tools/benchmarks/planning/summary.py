@@ -10,16 +10,15 @@ from neurosym.evaluation.comparison import Attempt, TaskRecord
 from neurosym.evaluation.summary import summarise as compared
 from tools.benchmarks.jobs import Found, machine
 from tools.benchmarks.planning import figures, jobs, measures
-from tools.benchmarks.planning.figures import WAYS, counted
 from tools.benchmarks.planning.jobs import COMPARED, SIZES, Agenda
 from tools.benchmarks.planning.tasks import DIFFICULTIES
 from tools.benchmarks.planning.trials import Trial, trials_of
+from tools.benchmarks.tables import mean_of, share_of, tally
 
 PAPER = {
     "single": {"curiosity": 0.82, "active": 0.56, "random": 0.13},
     "double": {"curiosity": 0.59, "active": 0.38, "random": 0.09},
-}
-"""Table III of the paper: BFS in its own simulator, with its own boxes."""
+}  # Table III of the paper: BFS in its own simulator, with its own boxes
 MEASURES = ("found", "valid", "reached", "reached_with_replanning")
 Entries = Sequence[Mapping[str, Any]]
 Figures = dict[str, Any]
@@ -36,8 +35,6 @@ def summarise(found: Found, agenda: Agenda) -> Figures:
         if (entries := _entries(found, agenda.symbolic(), f"-{objects}-{difficulty}-"))
     }
     shipped = {kind: _records(found, agenda, "shipped", 0.05, kind) for kind in SIZES}
-    costless = {kind: _of_size(found, agenda.costless(), kind) for kind in SIZES}
-    nudged = {kind: _of_size(found, agenda.disturbed(), kind) for kind in SIZES}
     return {
         "command": f"make evaluate-planning SEEDS={size.seeds} STEPS={size.steps} "
         f"STRATEGIES='{' '.join(size.strategies)}'",
@@ -50,8 +47,8 @@ def summarise(found: Found, agenda: Agenda) -> Figures:
         "table3_at_20_mm": _table3(found, agenda, 0.02),
         "paper": PAPER,
         "reasons": {kind: _reasons(records) for kind, records in shipped.items()},
-        "costs": {kind: _costs(entries, shipped[kind]) for kind, entries in costless.items()},
-        "disturbed": {kind: disturbed(entries) for kind, entries in nudged.items()},
+        "costs": {kind: _costs(_of_size(found, agenda.costless(), kind), shipped[kind]) for kind in SIZES},
+        "disturbed": {kind: disturbed(_of_size(found, agenda.disturbed(), kind)) for kind in SIZES},
         "scaling": _scaling(found, agenda),
         **_trials(found, agenda),
     }
@@ -64,7 +61,7 @@ def _entries(found: Found, names: Iterable[str], part: str) -> list[Any]:
 def _of_size(found: Found, names: Iterable[str], kind: str) -> list[Any]:
     """Put the entries of jobs on single or on double tasks into one list."""
     chosen = [name for name in names if name.split("-")[-3] == str(SIZES[kind])]
-    return [entry for name in chosen for entry in found.get(name, [])]
+    return _entries(found, chosen, "")
 
 
 def _records(found: Found, agenda: Agenda, domain: str, tolerance: float, kind: str) -> list[TaskRecord]:
@@ -77,15 +74,12 @@ def _table3(found: Found, agenda: Agenda, tolerance: float) -> Figures:
         strategy: {str(seed): jobs.domain_name(strategy, seed) for seed in range(1, agenda.size.seeds + 1)}
         for strategy in agenda.size.strategies
     }
-    return {
-        strategy: {
-            kind: table3_cell(
-                {seed: _records(found, agenda, name, tolerance, kind) for seed, name in domains.items()}
-            )
-            for kind in SIZES
-        }
-        for strategy, domains in of_seeds.items()
-    }
+
+    def cell(domains: Mapping[str, str], kind: str) -> Figures:
+        records = {seed: _records(found, agenda, name, tolerance, kind) for seed, name in domains.items()}
+        return table3_cell(records)
+
+    return {strategy: {kind: cell(domains, kind) for kind in SIZES} for strategy, domains in of_seeds.items()}
 
 
 def table3_cell(by_seed: Mapping[str, Sequence[TaskRecord]]) -> Figures:
@@ -111,22 +105,17 @@ def table3_cell(by_seed: Mapping[str, Sequence[TaskRecord]]) -> Figures:
 def _reasons(records: Sequence[TaskRecord]) -> Figures:
     """Count why planners disagreed, and why goals were missed."""
     comparison = compared(records, COMPARED)
-    found = {name: msgspec.to_builtins(tally) for name, tally in comparison.planners.items()}
+    told = {name: msgspec.to_builtins(one) for name, one in comparison.planners.items()}
     kept = ("predicted", "replans", "unfound", "invalid", "missed", "missed_with_replanning")
-    without = {
-        name: counted(one.status.value for one in _attempts(records, name) if not one.found)
-        for name in COMPARED
-    }
+    asked = [record.attempts for record in records if not record.met_at_start]
     return {
         "tasks": comparison.counted,
         "solved_by_none": comparison.solved_by_none,
-        **{name: {key: tally[key] for key in kept} for name, tally in found.items()},
-        "without_plan": without,
+        **{name: {key: one[key] for key in kept} for name, one in told.items()},
+        "without_plan": {
+            name: tally(one[name].status.value for one in asked if not one[name].found) for name in COMPARED
+        },
     }
-
-
-def _attempts(records: Sequence[TaskRecord], planner: str) -> list[Attempt]:
-    return [record.attempts[planner] for record in records if not record.met_at_start]
 
 
 def symbolic_cell(entries: Entries) -> Figures:
@@ -138,35 +127,35 @@ def symbolic_cell(entries: Entries) -> Figures:
     )
     both = [(p, e["fewest"]) for p, e in zip(pddl, entries, strict=True) if p.found and e["fewest"]]
     found, valid = sum(one.found for one in pddl), sum(one.valid for one in pddl)
-    near = [r.attempts["fast-downward"].predicted_miss for r in records]
-    predicted = sum(m is not None and m <= r.problem.tolerance for r, m in zip(records, near, strict=True))
+    misses = zip([one.predicted_miss for one in pddl], records, strict=True)
+    predicted = sum(miss is not None and miss <= record.problem.tolerance for miss, record in misses)
     return {
         "tasks": len(records),
         "found": found,
         "valid": valid,
-        "valid_share": _share(valid, found),
+        "valid_share": share_of(valid, found),
         "bfs_solves": sum(one.valid for one in searched),
         "solved_when_bfs_solves": _given([one.valid for one in searched], pddl),
         "counting_solves": sum(one.valid for one in exact),
         "solved_when_counting_solves": _given([one.valid for one in exact], pddl),
-        "extra_steps": _mean([one.primitives - fewest for one, fewest in both]),
-        "shortest": _share(sum(one.primitives == fewest for one, fewest in both), len(both)),
-        "fewest": _mean([fewest for _, fewest in both]),
+        "extra_steps": mean_of(one.primitives - fewest for one, fewest in both),
+        "shortest": share_of(sum(one.primitives == fewest for one, fewest in both), len(both)),
+        "fewest": mean_of(fewest for _, fewest in both),
         "seconds": float(np.median([one.seconds for one in pddl])) if pddl else None,
         "network_bfs": {
             "found": sum(one.found for one in network),
             "valid": sum(one.valid for one in network),
             "pddl_when_it_solves": _given([one.found for one in network], pddl),
         },
-        "predicted_too": _share(predicted, found),
-        "status": counted(one.status.value for one in pddl),
+        "predicted_too": share_of(predicted, found),
+        "status": tally(one.status.value for one in pddl),
     }
 
 
 def _given(condition: Sequence[bool], wanted: Sequence[Attempt]) -> float | None:
     """Return the share of the tasks with a plan by one planner in which the other has one that is valid."""
     chosen = [one.valid for is_so, one in zip(condition, wanted, strict=True) if is_so]
-    return _share(sum(chosen), len(chosen))
+    return share_of(sum(chosen), len(chosen))
 
 
 def whole(cells: Iterable[Mapping[str, Any]]) -> Figures:
@@ -174,7 +163,7 @@ def whole(cells: Iterable[Mapping[str, Any]]) -> Figures:
     known, found = list(cells), {}
     for share, of in (("valid_share", "found"), ("solved_when_bfs_solves", "bfs_solves")):
         parts = [(cell[share], cell[of]) for cell in known if cell[share] is not None]
-        found[share] = _share(sum(value * count for value, count in parts), sum(count for _, count in parts))
+        found[share] = share_of(sum(value * count for value, count in parts), sum(n for _, n in parts))
     return found
 
 
@@ -187,26 +176,24 @@ def disturbed(entries: Entries) -> Figures:
         "without_plan": sum(not entry["solvable"] for entry in entries),
         "nudged": len(nudged),
         "reached": reached,
-        "share": _share(reached, len(nudged)),
+        "share": share_of(reached, len(nudged)),
         "replans": sum(run["replans"] for run in nudged),
-        "missed": counted(run["kind"] for run in nudged if not run["reached"]),
+        "missed": tally(run["kind"] for run in nudged if not run["reached"]),
     }
 
 
 def _costs(entries: Entries, records: Sequence[TaskRecord]) -> Figures:
     """Compare plans made with and without costs, followed blindly, on the tasks that both have a plan for."""
-    by_task = {
-        record.problem.name: record.attempts["fast-downward"] for record in records if not record.met_at_start
-    }
+    by_task = {one.problem.name: one.attempts["fast-downward"] for one in records if not one.met_at_start}
     pairs = [(by_task[entry["task"]], entry) for entry in entries if entry["task"] in by_task]
-    both = [(attempt, entry) for attempt, entry in pairs if attempt.open_loop and "run" in entry]
+    both = [(one, one.open_loop, entry) for one, entry in pairs if one.open_loop and "run" in entry]
     return {
         "tasks": len(pairs),
         "both_found": len(both),
-        "with_costs": _share(sum(a.open_loop.reached for a, _ in both if a.open_loop), len(both)),
-        "without_costs": _share(sum(e["run"]["reached"] for _, e in both), len(both)),
-        "primitives_with": _mean([a.primitives for a, _ in both]),
-        "primitives_without": _mean([e["primitives"] for _, e in both]),
+        "with_costs": share_of(sum(run.reached for _, run, _ in both), len(both)),
+        "without_costs": share_of(sum(entry["run"]["reached"] for *_, entry in both), len(both)),
+        "primitives_with": mean_of(one.primitives for one, *_ in both),
+        "primitives_without": mean_of(entry["primitives"] for *_, entry in both),
     }
 
 
@@ -232,41 +219,38 @@ def scaling_cell(found: Found) -> Figures:
         "valid": sum(row["valid"] for row in solved),
         "seconds": float(np.median(seconds)) if solved else None,
         "slowest": max(seconds, default=None),
-        "primitives": _mean([row["primitives"] for row in solved]),
-        "over_fewest": _mean([row["primitives"] / row["fewest"] for row in solved if row["fewest"]]),
+        "primitives": mean_of(row["primitives"] for row in solved),
+        "over_fewest": mean_of(row["primitives"] / row["fewest"] for row in solved if row["fewest"]),
         "megabytes": max(memory["children"], memory["own"]),
-        "status": counted(row["status"] for row in rows),
-        "reasons": counted(row.get("reason", "") for row in rows if row["status"] != "solved"),
+        "status": tally(row["status"] for row in rows),
+        "reasons": tally(row.get("reason", "") for row in rows if row["status"] != "solved"),
     }
 
 
 def _trials(found: Found, agenda: Agenda) -> Figures:
     """Gather trials in the shipped domain into figures."""
-    drawn = {
-        f"{1000 * tolerance:g}": {
-            kind: msgspec.convert(_of_size(found, agenda.precision(tolerance), kind), list[Trial])
-            for kind in SIZES
-        }
-        for tolerance in jobs.TOLERANCES
-    }
+
+    def drawn(tolerance: float, kind: str) -> list[Trial]:
+        return msgspec.convert(_of_size(found, agenda.precision(tolerance), kind), list[Trial])
+
+    by_size = {f"{1000 * far:g}": {kind: drawn(far, kind) for kind in SIZES} for far in jobs.TOLERANCES}
     anywhere = {str(objects): trials_of(found, names) for objects, names in agenda.far().items()}
-    usual = drawn["50"]
-    every, far = ([trial for trials in of.values() for trial in trials] for of in (usual, anywhere))
+    every, far = ([trial for of in each.values() for trial in of] for each in (by_size["50"], anywhere))
     errors = figures.promise_errors(figures.steps_of(every))
     return {
         "precision": {
             mm: {
-                kind: {way: figures.share(trials, way) for way in WAYS} | {"tasks": len(trials)}
+                kind: {way: figures.share(trials, way) for way in figures.WAYS} | {"tasks": len(trials)}
                 for kind, trials in sizes.items()
             }
-            for mm, sizes in drawn.items()
+            for mm, sizes in by_size.items()
         },
         "far_goals": {objects: figures.share(trials) for objects, trials in anywhere.items()},
         "promise_rms_mm": {name: errors[name] for name in ("all", "worst")},
         "kinds_by_seed": {
             str(seed): found[job] for seed, job in enumerate(agenda.kinds(), 1) if found.get(job) is not None
         },
-        "motions": {kind: figures.motions(trials) for kind, trials in usual.items()},
+        "motions": {kind: figures.motions(trials) for kind, trials in by_size["50"].items()},
         "promises": {
             "drawn, replanned": figures.promises(every, "replanned"),
             "drawn, blind": figures.promises(every, "blind"),
@@ -283,15 +267,7 @@ def _far_details(trials: Sequence[Trial]) -> Figures:
     return {
         "tasks": len(trials),
         "without_plan": len(trials) - len(plans),
-        "primitives": sum(plans) / len(plans) if plans else None,
+        "primitives": mean_of(plans),
         "motions": figures.motions(trials),
         "missed": figures.ended_by(trials),
     }
-
-
-def _share(part: float, of: float) -> float | None:
-    return part / of if of else None
-
-
-def _mean(values: Sequence[float]) -> float | None:
-    return float(np.mean(values)) if values else None

@@ -1,17 +1,24 @@
 """The results of `evaluate.py` as pages of Markdown tables."""
 
-from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from collections.abc import Mapping
 from typing import Any
 
 from neurosym.stages.plan_records import MORE_MOTIONS
 from tools.benchmarks.planning.figures import WAYS
-from tools.benchmarks.tables import NOT_YET, counts, document, listed, number, percent, table, with_interval
+from tools.benchmarks.tables import (
+    NOT_YET,
+    document,
+    figures_table,
+    listed,
+    number,
+    percent,
+    table,
+    with_interval,
+    written,
+)
 
 Figures = Mapping[str, Any]
 _SHARES = ("found", "valid", "reached", "reached_with_replanning")
-_SHARE_NAMES = ("plan found", "valid in the model", "reached, followed blindly", "reached with replanning")
-_exactly, _nearly = partial(percent, digits=1), partial(number, digits=1)
 
 
 def page(results: Figures) -> str:
@@ -53,37 +60,45 @@ def page(results: Figures) -> str:
         "The paper's search over the network on the same tasks: how often it finds a plan 3 deep, how many "
         "of these plans the operators confirm, and of how many of Fast Downward's plans the network, too, "
         "predicts that they end at the goal.",
-        _network(results["symbolic"]),
+        figures_table(
+            "objects | tasks | found by bfs | of these valid by the operators | "
+            "of these solved by Fast Downward | its plans that the network confirms",
+            {size: cell | cell["network_bfs"] for size, cell in results["symbolic"].items()},
+            *("tasks", "found", "valid", "pddl_when_it_solves:0%", "predicted_too:0%"),
+        ),
         "## Reliable, not only short",
         "Fast Downward's plans, followed blindly, with action costs and with all operators costing alike; on "
         "the tasks of Table III that both have a plan for.",
-        _costs(results["costs"]),
+        figures_table(
+            "objects | tasks | reached with costs | reached without | primitives with costs | without",
+            results["costs"],
+            *("both_found", "with_costs:0%", "without_costs:0%", "primitives_with:2", "primitives_without:2"),
+        ),
         "## Disturbed",
         "An object is nudged once during the run by 3 to 8 cm, in a direction and before a step drawn from a "
         "seed. Share of those with a plan at the start that end at their goal; the aim is 90 %.",
-        _disturbed(results["disturbed"]),
+        figures_table(
+            "objects | tasks | without a plan | disturbed | reached | share | new plans | why others missed",
+            results["disturbed"],
+            *("tasks", "without_plan", "nudged", "reached", "share:0%", "replans", "missed"),
+        ),
     )
 
 
-def _rows(cells: Figures, known: str, cells_of: Callable[[Figures], Sequence[str]]) -> list[list[str]]:
-    """Write a row for each cell that holds something, begun by its name."""
-    return [[name, *cells_of(cell)] for name, cell in cells.items() if cell[known]]
-
-
-def _texts(cell: Figures, *names: str) -> list[str]:
-    return [str(cell[name]) for name in names]
-
-
 def _table3(results: Figures) -> str:
-    rows = []
-    for strategy, kinds in results.items():
-        for kind, planners in kinds.items():
-            for planner, cell in planners.items():
-                seeds = len(cell["by_seed"])
-                spreads = cell["spread"] if seeds > 1 else {}
-                shares = [percent(cell[name], spreads.get(name)) for name in _SHARES]
-                rows.append([strategy, kind, planner, str(seeds), str(cell["tasks"]), *shares])
-    return table(["domain", "objects", "planner", "seeds", "tasks", *_SHARE_NAMES], rows)
+    rows = [
+        [strategy, kind, planner, str(len(cell["by_seed"])), str(cell["tasks"]), *_shares(cell)]
+        for strategy, kinds in results.items()
+        for kind, planners in kinds.items()
+        for planner, cell in planners.items()
+    ]
+    columns = "domain | objects | planner | seeds | tasks | plan found | valid in the model | "
+    return table(f"{columns}reached, followed blindly | reached with replanning", rows)
+
+
+def _shares(cell: Figures) -> list[str]:
+    spreads = cell["spread"] if len(cell["by_seed"]) > 1 else {}
+    return [percent(cell[name], spreads.get(name)) for name in _SHARES]
 
 
 def _paper(paper: Figures) -> str:
@@ -101,79 +116,36 @@ def _reasons(reasons: Figures) -> str:
     if not reasons["tasks"]:
         return NOT_YET
     rows = [["-", "no planner has a plan", str(reasons["solved_by_none"])]]
-    for planner in ("bfs", "fast-downward"):
+    for planner, without in reasons["without_plan"].items():
         told = reasons[planner]
-        for title, found in (
-            ("no plan", reasons["without_plan"][planner]),
-            ("no plan, and the other has one", told["unfound"]),
-            ("plan not valid", told["invalid"]),
-            ("missed, followed blindly", told["missed"]),
-            ("missed in spite of replanning", told["missed_with_replanning"]),
-        ):
-            rows += [[planner, f"{title}: {reason}", str(count)] for reason, count in found.items()]
+        found = {
+            "no plan": without,
+            "no plan, and the other has one": told["unfound"],
+            "plan not valid": told["invalid"],
+            "missed, followed blindly": told["missed"],
+            "missed in spite of replanning": told["missed_with_replanning"],
+        }
+        rows += [[planner, f"{title}: {why}", str(n)] for title, of in found.items() for why, n in of.items()]
         rows.append([planner, "plans that the network predicts to arrive", str(told["predicted"])])
         rows.append([planner, "new plans asked for, in all runs", str(told["replans"])])
-    return table(["planner", "what", f"of {reasons['tasks']}"], rows)
+    return table(f"planner | what | of {reasons['tasks']}", rows)
 
 
 def _symbolic(results: Figures) -> str:
-    rows = [
-        [
-            size,
-            *_texts(cell, "tasks", "found", "valid"),
-            *(_exactly(cell[name]) for name in ("valid_share", "solved_when_bfs_solves")),
-            str(cell["bfs_solves"]),
-            _exactly(cell["solved_when_counting_solves"]),
-            *(number(cell[name]) for name in ("fewest", "extra_steps")),
-            percent(cell["shortest"]),
-            number(cell["seconds"]),
-        ]
-        for size, cell in results["symbolic"].items()
-    ]
+    both = ("valid_share:1%", "solved_when_bfs_solves:1%")
+    names = ("tasks", "found", "valid", *both, "bfs_solves", "solved_when_counting_solves:1%")
+    more = ("fewest:2", "extra_steps:2", "shortest:0%", "seconds:2")
+    rows = [[size, *written(cell, *names, *more)] for size, cell in results["symbolic"].items()]
     if rows:
-        both = [_exactly(results[name]) for name in ("valid_share", "solved_when_bfs_solves")]
-        rows.append(["all", "", "", "", *both, "", "", "", "", "", ""])
-    columns = ["objects", "tasks", "found", "valid", "valid share", "when BFS solves", "(tasks)"]
-    more = ["when counting solves", "fewest steps", "extra steps", "shortest", "median [s]"]
-    return table([*columns, *more], rows)
-
-
-def _network(symbolic: Figures) -> str:
-    rows = [
-        [
-            size,
-            str(cell["tasks"]),
-            *_texts(cell["network_bfs"], "found", "valid"),
-            percent(cell["network_bfs"]["pddl_when_it_solves"]),
-            percent(cell["predicted_too"]),
-        ]
-        for size, cell in symbolic.items()
-    ]
-    columns = ["objects", "tasks", "found by bfs", "of these valid by the operators"]
-    return table([*columns, "of these solved by Fast Downward", "its plans that the network confirms"], rows)
-
-
-def _costs(kinds: Figures) -> str:
-    def cells(cell: Figures) -> list[str]:
-        shares = [percent(cell[name]) for name in ("with_costs", "without_costs")]
-        steps = [number(cell[name]) for name in ("primitives_with", "primitives_without")]
-        return [str(cell["both_found"]), *shares, *steps]
-
-    columns = ["objects", "tasks", "reached with costs", "reached without"]
-    return table([*columns, "primitives with costs", "without"], _rows(kinds, "both_found", cells))
-
-
-def _disturbed(kinds: Figures) -> str:
-    def cells(cell: Figures) -> list[str]:
-        numbers = _texts(cell, "tasks", "without_plan", "nudged", "reached")
-        return [*numbers, percent(cell["share"]), str(cell["replans"]), counts(cell["missed"])]
-
-    columns = ["objects", "tasks", "without a plan", "disturbed", "reached", "share", "new plans"]
-    return table([*columns, "why others missed"], _rows(kinds, "tasks", cells))
+        rows.append(["all", "", "", "", *written(results, *both), "", "", "", "", "", ""])
+    columns = "objects | tasks | found | valid | valid share | when BFS solves | (tasks) | "
+    return table(f"{columns}when counting solves | fewest steps | extra steps | shortest | median [s]", rows)
 
 
 def _trial_sections(results: Figures) -> list[str]:
     """Tell what came of trials in the shipped domain."""
+    motions = [f"{kind} {number(value, 1)}" for kind, value in results["motions"].items()]
+    kinds = [f"{seed}: {len(kinds)}" for seed, kinds in results["kinds_by_seed"].items()]
     return [
         "## How near plans come",
         "The shipped domain, Fast Downward, tasks drawn as above; shares of all tasks with Wilson intervals "
@@ -183,17 +155,22 @@ def _trial_sections(results: Figures) -> list[str]:
         "Objects of all shapes, starts and goals uniform over the table, footprints on the table and apart, "
         "each goal at least 15 cm from the start; 50 mm, with replanning. A task without a plan is a miss. "
         "*Motions* are primitives that were performed.",
-        _far(results["far_goals"], results["far_details"]),
+        figures_table(
+            "objects | tasks | reached | without a plan | primitives of the plan | motions | "
+            "what ended the others",
+            {
+                objects: told | {"reached": with_interval(results["far_goals"][objects], told["tasks"])}
+                for objects, told in results["far_details"].items()
+            },
+            *("tasks", "reached", "without_plan", "primitives:1", "motions:1", "missed"),
+        ),
         "## Promises, step by step",
         "Distances between what the operator of a step promised for the object at hand and what came, at "
         "50 mm. *Worst* is the worst category. A grasp that fails outweighs many other steps, so intervals "
         "(bootstrap over runs, 95 %) are wide. *First step* is that of each run.",
         _promises(results["promises"]),
-        "Motions a task, replanned: "
-        + ", ".join(f"{kind} {_nearly(value)}" for kind, value in results["motions"].items())
-        + ". Kinds of primitive, by seed: "
-        + (", ".join(f"{seed}: {len(kinds)}" for seed, kinds in results["kinds_by_seed"].items()) or NOT_YET)
-        + ".",
+        f"Motions a task, replanned: {', '.join(motions)}. "
+        f"Kinds of primitive, by seed: {', '.join(kinds) or NOT_YET}.",
         "## The chance that is printed",
         _calibration(
             "Chance that `neurosym plan` prints, beside how often the plan came true, followed blindly to "
@@ -209,44 +186,26 @@ def _trial_sections(results: Figures) -> list[str]:
 
 
 def _precision(results: Figures) -> str:
-    def cells(cell: Figures) -> list[str]:
-        return [str(cell["tasks"]), *(with_interval(cell[way], cell["tasks"]) for way in WAYS)]
-
-    rows = [[f"{mm} mm", *row] for mm, kinds in results.items() for row in _rows(kinds, "tasks", cells)]
-    return table(["within", "objects", "tasks", "followed blindly", "with replanning"], rows)
-
-
-def _far(shares: Figures, details: Figures) -> str:
     rows = [
-        [
-            objects,
-            str(told["tasks"]),
-            with_interval(shares[objects], told["tasks"]),
-            str(told["without_plan"]),
-            *(_nearly(told[name]) for name in ("primitives", "motions")),
-            counts(told["missed"]),
-        ]
-        for objects, told in details.items()
-        if told["tasks"]
+        [f"{mm} mm", kind, str(cell["tasks"]), *(with_interval(cell[way], cell["tasks"]) for way in WAYS)]
+        for mm, kinds in results.items()
+        for kind, cell in kinds.items()
+        if cell["tasks"]
     ]
-    columns = ["objects", "tasks", "reached", "without a plan", "primitives of the plan", "motions"]
-    return table([*columns, "what ended the others"], rows)
+    return table("within | objects | tasks | followed blindly | with replanning", rows)
 
 
 def _promises(results: Figures) -> str:
-    def cells(told: Figures) -> list[str]:
-        interval = " to ".join(map(_nearly, told["interval"]))
-        others = [_nearly(told[key]) for key in ("median", "first", "worst", "worst_median")]
-        return [
-            str(told["steps"]),
-            f"{_nearly(told['all'])} ({interval})",
-            *others,
-            percent(told["kinds_kept"]),
-        ]
+    def with_rms(told: Figures) -> Figures:
+        low, high = told["interval"] or (None, None)
+        return {**told, "rms": f"{number(told['all'], 1)} ({number(low, 1)} to {number(high, 1)})"}
 
-    columns = ["runs", "steps", "RMS [mm]", "median [mm]", "first step, RMS [mm]"]
-    columns += ["worst RMS [mm]", "its median [mm]", "ended in the way promised"]
-    return table(columns, _rows(results, "steps", cells))
+    return figures_table(
+        "runs | steps | RMS [mm] | median [mm] | first step, RMS [mm] | worst RMS [mm] | "
+        "its median [mm] | ended in the way promised",
+        {runs: with_rms(told) for runs, told in results.items()},
+        *("steps", "rms", "median:1", "first:1", "worst:1", "worst_median:1", "kinds_kept:0%"),
+    )
 
 
 def _calibration(what: str, told: Figures) -> str:
@@ -258,7 +217,7 @@ def _calibration(what: str, told: Figures) -> str:
     ]
     return (
         f"{what} ({told['plans']} plans). Brier score {told['brier']:.3f}; of the base rate "
-        f"{told['brier_of_base_rate']:.3f}.\n\n{table(['plans', 'mean chance', 'came true'], rows)}"
+        f"{told['brier_of_base_rate']:.3f}.\n\n{table('plans | mean chance | came true', rows)}"
     )
 
 
@@ -289,25 +248,20 @@ def scaling_page(results: Figures) -> str:
 
 
 def _contenders(contenders: Figures, difficulty: str) -> str:
-    def cells(cell: Figures) -> list[str]:
-        over = cell["over_fewest"]
-        return [
-            f"{cell['solved']} of {cell['tasks']}",
-            str(cell["valid"]),
-            *(number(cell[name]) for name in ("seconds", "slowest")),
-            _nearly(cell["primitives"]),
-            "-" if over is None else f"{100 * (over - 1):+.0f} %",
-            f"{cell['megabytes']:.0f}",
-        ]
+    def told(cell: Figures) -> list[str]:
+        over = None if cell["over_fewest"] is None else f"{100 * (cell['over_fewest'] - 1):+.0f} %"
+        also = {"of": f"{cell['solved']} of {cell['tasks']}", "over": over or "-"}
+        names = ("of", "valid", "seconds:2", "slowest:2", "primitives:1", "over", "megabytes:0")
+        return written({**cell, **also}, *names)
 
     rows = [
-        [contender, size.split()[0], *cells(cell)]
+        [contender, size.split()[0], *told(cell)]
         for contender, of_sizes in contenders.items()
         for size, cell in of_sizes.items()
         if size.split()[1] == difficulty
     ]
-    columns = ["planner", "objects", "solved", "valid", "median [s]", "slowest [s]", "primitives"]
-    return table([*columns, "over the fewest", "memory [MB]"], rows)
+    columns = "planner | objects | solved | valid | median [s] | slowest [s] | primitives"
+    return table(f"{columns} | over the fewest | memory [MB]", rows)
 
 
 def _why_not(contenders: Figures) -> str:
@@ -316,8 +270,6 @@ def _why_not(contenders: Figures) -> str:
         for size, cell in of_sizes.items():
             left = cell["status"].get("not tried", 0)
             reasons = {"not tried after two time-outs": left} if left else {}
-            rows += [
-                [contender, size, why, str(count)] for why, count in {**reasons, **cell["reasons"]}.items()
-            ]
-    columns = ["planner", "cell", "what it said", "tasks"]
-    return table(columns, rows)
+            told = {**reasons, **cell["reasons"]}
+            rows += [[contender, size, why, str(count)] for why, count in told.items()]
+    return table("planner | cell | what it said | tasks", rows)

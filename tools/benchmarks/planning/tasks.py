@@ -16,12 +16,9 @@ from neurosym.worlds.task_drawing import item_names
 
 DIFFICULTIES = {"easy": (1, 3), "hard": (5, 8)}
 """Least and greatest number of primitives in the shortest plan for each object alone."""
-CROWD, SMALL = 4, 0.075
-"""Where more objects than this are to find room, none is wider [m]."""
-STRAY = 0.03
-"""How much chance there is in walking away from the start [m]."""
-KNOWN = 20_000
-"""How much counting looks at for a plan."""
+CROWD, SMALL = 4, 0.075  # where more objects than this are to find room, none is wider [m]
+STRAY = 0.03  # how much chance there is in walking away from the start [m]
+KNOWN = 20_000  # how much counting looks at for a plan
 _STREAM = 0x73796D62  # keeps this randomness apart from any other
 _TRIES, _OBJECT_TRIES = 50, 2000
 

@@ -56,23 +56,14 @@ class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
     reason: str = ""  # why there is no plan
     primitives: int = 0  # of the first plan
     chance: float | None = None  # printed with the plan: that it comes true
-    chance_replanned: float | None = (
-        None  # that the goal is reached in `MORE_MOTIONS` motions more than it has
-    )
+    chance_replanned: float | None = None  # to be there within `MORE_MOTIONS` motions more than it has
     blind: Followed | None = None  # None if that was not asked for
     replanned: Followed | None = None  # None without a plan
     cpu: float = 0.0  # what all of it took [CPU s]
 
 
 def try_task(setting: Setting, task: Problem, *, blind: bool, time_limit: float | None = None) -> Trial:
-    """Plan for a task, and execute the plan with replanning, and blindly if asked for.
-
-    Args:
-        setting: The world and the learned domain.
-        task: The task.
-        blind: Whether the plan is also followed blindly.
-        time_limit: Ceiling for each plan [s]; the planner's own if not given.
-    """
+    """Plan for a task, in so many seconds, and execute the plan with replanning, and perhaps blindly."""
     begin, grounding = cpu_seconds(), setting.grounding
     solve = planner_of(setting, PLANNER, time_limit=time_limit)
     found = solve(task, grounding)
@@ -145,6 +136,13 @@ def resting_promise(name: str, item: SceneObject, tolerance: float, grounding: G
     operator = promised(grounding, one_of_these, tolerance).get(name, learned)
     assert operator.promise is not None, "it promised to end held, or at rest"
     return at_rest(operator.promise)
+
+
+def tried(
+    setting: Setting, tasks: Iterable[Problem], *, blind: bool = True, time_limit: float | None = None
+) -> list[Any]:
+    """Try tasks, see `try_task`; return what JSON can hold."""
+    return to_json([try_task(setting, task, blind=blind, time_limit=time_limit) for task in tasks])
 
 
 def to_json(trials: Sequence[Trial]) -> list[Any]:

@@ -19,8 +19,7 @@ from tools.benchmarks.relations.geometry import relation
 from tools.benchmarks.world.hand_written import carry_to
 from tools.benchmarks.world.measures import MARGIN, NUDGE, Results, factory, random_place, random_tasks
 
-TARGET, UNDER = 0, 1
-"""Which object of a scene is carried, and which one it is put over."""
+TARGET, UNDER = 0, 1  # which object of a scene is carried, and which one it is put over
 
 
 def put_over(objects: int, seed: int, workers: int) -> Results:
@@ -45,9 +44,8 @@ def _task(shape: str, under: str, seed: Sequence[int]) -> Task:
     rng = np.random.default_rng(seed)
     while True:
         scene = sample_scene(TabletopConfig(), rng, 2)
-        features = np.vstack(
-            [sample_features(TabletopConfig(shapes={name: 1.0}), rng, 1) for name in (shape, under)]
-        )
+        configs = [TabletopConfig(shapes={name: 1.0}) for name in (shape, under)]
+        features = np.vstack([sample_features(config, rng, 1) for config in configs])
         positions = np.column_stack([scene.positions[:, :2], features[:, 2] / 2])
         gap = np.abs(np.subtract(*positions)) - features[:, :3].sum(0) / 2
         action = carry_to(features[TARGET])
@@ -66,11 +64,8 @@ def _taken(put: Sequence[Outcome], perform: Perform, seed: Sequence[int]) -> Res
             place = random_place(np.random.default_rng([*seed, number, 1]), TabletopConfig().table, MARGIN)
             tasks.append(Task(outcome.end, action, TARGET, reference=place))
             names.append(name)
-    alone = [
-        name
-        for name, outcome in zip(names, perform(tasks), strict=True)
-        if outcome.kind == "carried" and not outcome.disturbed
-    ]
+    ends = zip(names, perform(tasks), strict=True)
+    alone = [name for name, end in ends if end.kind == "carried" and not end.disturbed]
     return {f"taken_{name}": [alone.count(name), names.count(name)] for name in ("on", "in")}
 
 
@@ -81,12 +76,9 @@ def towers(count: int, seed: int, workers: int) -> Results:
         for height in (3, 4):
             scenes = [_solids(height, [seed, height, number]) for number in range(count)]
             for level in range(1, height):
-                tasks = [_next_level(scene, level) for scene in scenes]
-                outcomes = [*perform(tasks)]
+                outcomes = [*perform([_next_level(scene, level) for scene in scenes])]
                 scenes = [outcome.end for outcome in outcomes]
-            stand = [
-                all(relation(outcome, n, n - 1) == "on" for n in range(1, height)) for outcome in outcomes
-            ]
+            stand = [all(relation(end, n, n - 1) == "on" for n in range(1, height)) for end in outcomes]
             table[str(height)] = {"tried": count, "stand": sum(stand)}
     return table
 

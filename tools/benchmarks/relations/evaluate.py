@@ -18,23 +18,11 @@ import tyro
 from neurosym.files import make_folder, write_json
 from neurosym.grounding import FORMAT_WITH_RELATIONS, Grounding
 from neurosym.pair_operators import RelationOperators
-from neurosym.stages.layout import (
-    GROUNDING,
-    MODEL,
-    PLACE_OPERATORS,
-    PLACES,
-    RELATION_CHANCES,
-    RELATION_MODEL,
-    RELATION_OPERATORS,
-    RELATION_STATES,
-    RELATIONS,
-    WORLD,
-)
+from neurosym.stages import layout
 from neurosym.stages.learning import TO_OBJECTS
-from tools.benchmarks import domains
+from tools.benchmarks import domains, options
 from tools.benchmarks.carrying.evaluate import take_shipped
-from tools.benchmarks.jobs import Evaluation, Job, machine
-from tools.benchmarks.options import CORES, RESULTS, Results, Scale, Seeds, Work, Workers, begin
+from tools.benchmarks.jobs import Evaluation, Jobs, machine
 from tools.benchmarks.relations import by_hand, protocols, symbols, tasks
 from tools.benchmarks.relations.summary import CURIOUS, RANDOM, SINGLY, Way, summarise
 from tools.benchmarks.relations.tables import page
@@ -44,28 +32,24 @@ from tools.relearn_towers import FOLDER as SHIPPED
 from tools.relearn_towers import RELATIONS as STEPS
 
 DOMAINS, LEARNED = "relations-domains.zip", "places-domains.zip"
-KEPT = (RELATION_STATES, RELATION_MODEL, RELATION_CHANCES, RELATION_OPERATORS)
+KEPT = (layout.RELATION_STATES, layout.RELATION_MODEL, layout.RELATION_CHANCES, layout.RELATION_OPERATORS)
 """What is needed of relations to try a domain; the rest is kept beside the results on places."""
-FIRST_TASK = 740_000
-"""Seed of the first task, far from those of other evaluations."""
+FIRST_TASK = 740_000  # seed of the first task, far from those of other evaluations
 NEW_PAIRS = 730_000
 """Added to the seed of a domain, so that it is judged on pairs that it was not learned with."""
-BLOCK = 5
-"""Tasks that are tried together."""
-AT_RANDOM = 1
-"""Seeds with which relations are learned from random actions, too."""
+BLOCK = 5  # tasks that are tried together
+AT_RANDOM = 1  # seeds with which relations are learned from random actions, too
 WORKERS = 2
-Jobs = dict[str, Job]
 
 
 def main(
-    seeds: Seeds = 5,
+    seeds: options.Seeds = 5,
     steps: Annotated[int, tyro.conf.arg(help="Interactions that are aimed at other objects.")] = STEPS,
     count: Annotated[int, tyro.conf.arg(help="Tasks of each kind and seed, a multiple of 5.")] = 10,
-    scale: Scale = 1.0,
-    work: Work = Path("evaluation/relations"),
-    results: Results = RESULTS,
-    workers: Workers = CORES,
+    scale: options.Scale = 1.0,
+    work: options.Work = Path("evaluation/relations"),
+    results: options.Results = options.RESULTS,
+    workers: options.Workers = options.CORES,
 ) -> None:
     """Measure, learn and try, and write the results; what was done is not done again."""
     own = tasks.cells(count)
@@ -75,7 +59,7 @@ def main(
     make_folder(work / "places")
     domains.restore(results / LEARNED, work / "places")
     take_shipped(work / "places")
-    domains.restore(results / DOMAINS, work, RELATIONS)
+    domains.restore(results / DOMAINS, work, layout.RELATIONS)
     if steps == STEPS:
         _take_shipped_relations(work)
 
@@ -100,10 +84,7 @@ def main(
 
 def _by_hand(evaluation: Evaluation, scale: float) -> dict[str, Any]:
     """Measure what needs no learning, over a share of the usual interactions, unless the results have it."""
-
-    def some(number: int) -> int:
-        return max(4, round(number * scale))
-
+    some = partial(options.scaled, scale)
     parts = {
         "put_over": partial(by_hand.put_over, some(50), 110, WORKERS),
         "towers_by_hand": partial(by_hand.towers, some(50), 111, WORKERS),
@@ -120,31 +101,27 @@ def _by_hand(evaluation: Evaluation, scale: float) -> dict[str, Any]:
 
 
 def _learning(work: Path, way: Way, seeds: Iterable[int], steps: int) -> Jobs:
-    return {
-        f"learn-{way.label(seed)}": partial(
-            learn, _places(work, seed), way.folder(work, seed), seed, steps, way
-        )
-        for seed in seeds
-    }
+    return {f"learn-{way.label(seed)}": partial(learn, work, seed, steps, way) for seed in seeds}
 
 
-def learn(places: Path, folder: Path, seed: int, steps: int, way: Way) -> dict[str, Any]:
-    """Learn relations; what was done is not done again.
+def learn(work: Path, seed: int, steps: int, way: Way) -> dict[str, Any]:
+    """Learn relations from the domain with places of a seed; what was done is not done again.
 
     Returns:
         How well its symbols agree with geometry, see `symbols.measure`, how well ends are predicted, see
         `protocols.effect_errors`, and CPU seconds of each stage.
     """
-    grounding, seconds = Grounding.load(places / GROUNDING), {}
-    make_folder(folder / PLACES)
-    for name in (WORLD, MODEL):
+    places, folder = work / "places" / f"seed-{seed}", way.folder(work, seed)
+    grounding, seconds = Grounding.load(places / layout.GROUNDING), {}
+    make_folder(folder / layout.PLACES)
+    for name in (layout.WORLD, layout.MODEL):
         shutil.copy(places / name, folder / name)
-    write_json(folder / PLACE_OPERATORS, grounding.places)
-    if not (folder / RELATION_OPERATORS).exists():
+    write_json(folder / layout.PLACE_OPERATORS, grounding.places)
+    if not (folder / layout.RELATION_OPERATORS).exists():
         seconds = domains.learn(folder, way.strategy, seed, steps, TO_OBJECTS)
-    relations = RelationOperators.load(folder / RELATION_OPERATORS)
+    relations = RelationOperators.load(folder / layout.RELATION_OPERATORS)
     with_relations = msgspec.structs.replace(grounding, relations=relations, format=FORMAT_WITH_RELATIONS)
-    with_relations.save(folder / GROUNDING)
+    with_relations.save(folder / layout.GROUNDING)
     measured = symbols.measure(folder, NEW_PAIRS + seed, workers=1)
     errors = protocols.effect_errors(folder, NEW_PAIRS + seed, workers=1)
     return {**measured, "effect_errors": errors, "cpu_seconds": seconds}
@@ -154,11 +131,9 @@ def _tried(evaluation: Evaluation, way: Way, seeds: Iterable[int], cells: Sequen
     """List the tasks of those seeds with which something was learned, some at a time."""
     known, work = evaluation.found(), evaluation.work
     return {
-        f"try-{way.label(seed)}-{name}": partial(
-            try_all, way.folder(work, seed), learnt["words"], draw, numbers
-        )
+        f"try-{way.label(seed)}-{name}": partial(try_all, way.folder(work, seed), words, draw, numbers)
         for seed in seeds
-        if (learnt := known.get(f"learn-{way.label(seed)}"))
+        if (words := known.get(f"learn-{way.label(seed)}", {}).get("words")) is not None
         for name, draw, numbers in _blocks(seed, cells)
     }
 
@@ -171,15 +146,10 @@ def _blocks(seed: int, cells: Sequence[tasks.Cell]) -> Iterator[tuple[str, tasks
             yield f"{tasks.slug(name)}-{start}", draw, range(first, first + BLOCK)
 
 
-def _places(work: Path, seed: int) -> Path:
-    """Return the domain with places that relations are learned from with a seed."""
-    return work / "places" / f"seed-{seed}"
-
-
 def _kept(folder: Path) -> Iterator[str]:
     """List what is kept of a domain that was learned, and is not the shipped one."""
     is_own = folder.name != f"seed-{SEED}" or not SHIPPED.exists()
-    yield from KEPT if is_own and (folder / RELATION_OPERATORS).exists() else ()
+    yield from KEPT if is_own and (folder / layout.RELATION_OPERATORS).exists() else ()
 
 
 def _take_shipped_relations(work: Path) -> None:
@@ -192,4 +162,4 @@ def _take_shipped_relations(work: Path) -> None:
 
 
 if __name__ == "__main__":
-    begin(main)
+    options.begin(main)

@@ -13,12 +13,9 @@ from neurosym.world import Outcome, Scene
 Relation = Literal["on", "in", "leaning", "against", "beside", "apart", "around"]
 UPRIGHT_COSINE = math.cos(math.radians(10))
 """An object is upright when some face of it points up, but for so much."""
-SUNK = 0.005
-"""What stands in another reaches at least so far below its top [m]."""
-WALL = 0.006
-"""How thick the walls of hollow objects are [m]."""
-NEAR = 0.05
-"""What stands beside another is so near at most [m]."""
+SUNK = 0.005  # what stands in another reaches at least so far below its top [m]
+WALL = 0.006  # how thick the walls of hollow objects are [m]
+NEAR = 0.05  # what stands beside another is so near at most [m]
 
 
 def relation(outcome: Outcome, one: int, other: int) -> Relation:

@@ -12,24 +12,21 @@ from pathlib import Path
 import numpy as np
 
 from neurosym.learning.network import EffectModel
-from neurosym.pair_operators import PlaceOperators, extent
-from neurosym.stages.layout import MODEL, PLACE_OPERATORS, RELATION_MODEL, WORLD
+from neurosym.pair_operators import extent
+from neurosym.stages.layout import RELATION_MODEL, WORLD
 from neurosym.world import OtherObject, Outcome, Place, Scene, World, relative_to
-from neurosym.worlds.aims import REFERENCE, TARGET, KnownMotions, Related, as_pair
+from neurosym.worlds.aims import REFERENCE, TARGET, Related, as_pair
 from neurosym.worlds.workers import Task, perform_all
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks.relations.geometry import relation
+from tools.benchmarks.relations.symbols import known_motions
 from tools.benchmarks.relations.tasks import Asked, Cell, Goal, Unfit, drawn
 from tools.benchmarks.world.hand_written import REACH, carry_to
 
-FEW, MOST_PUTS = 3, 3
-"""How many objects there are where up to so many things are put somewhere."""
-AMONG = (5, 8)
-"""How many objects there are, at least and at most, where one thing is put somewhere."""
-NEAR = 0.09
-"""So near to where it was must each object come then [m]."""
-PREDICTED, SIZES = 150, (2, 3, 4)
-"""How many interactions are predicted, with so many objects each."""
+FEW, MOST_PUTS = 3, 3  # how many objects there are where up to so many things are put somewhere
+AMONG = (5, 8)  # how many objects there are, at least and at most, where one thing is put somewhere
+NEAR = 0.09  # so near to where it was must each object come then [m]
+PREDICTED, SIZES = 150, (2, 3, 4)  # how many interactions are predicted, with so many objects each
 _STREAM = 0x7072
 
 
@@ -76,9 +73,8 @@ def one_put(world: World, seed: int) -> Likened:
         moved = np.linalg.norm(end.end.positions - start.end.positions, axis=1)
         borne = {index: _borne(end, index) for index in np.flatnonzero(moved > NEAR).tolist()}
         goals = _plain(goal for ones in borne.values() for goal in ones)
-        places = {
-            index: Place(*end.end.positions[index][:2].tolist()) for index, ones in borne.items() if not ones
-        }
+        spots = {index: end.end.positions[index][:2].tolist() for index, ones in borne.items() if not ones}
+        places = {index: Place(*spot) for index, spot in spots.items()}
         if not (goals or places):
             raise Unfit
         return Likened(start.end, start.contacts, goals, places, (), end.end)
@@ -89,8 +85,7 @@ def one_put(world: World, seed: int) -> Likened:
 
 def _borne(end: Outcome, one: int) -> list[Goal]:
     """List what an object stands on or in."""
-    others = (other for other in range(len(end.end)) if other != one)
-    words = ((other, relation(end, one, other)) for other in others)
+    words = [(other, relation(end, one, other)) for other in range(len(end.end)) if other != one]
     return [Goal(one, other, word) for other, word in words if word in ("on", "in")]
 
 
@@ -124,18 +119,14 @@ def effect_errors(folder: Path, seed: int, workers: int) -> dict[str, dict[str, 
         nothing moved; and the share of the interactions in which the target was carried.
     """
     plain, model = read_world(folder / WORLD), EffectModel.load(folder / RELATION_MODEL)
-    categorise = EffectModel.load(folder / MODEL).object_symbols
-    world = plain()
-    motions = KnownMotions(PlaceOperators.load(folder / PLACE_OPERATORS), categorise, world.action_box)
-    related, found = Related(world, motions), dict[str, dict[str, float]]()
+    world, other = plain(), OtherObject(REFERENCE)
+    related, found = Related(world, known_motions(folder, world)), dict[str, dict[str, float]]()
     for objects in SIZES:
         rng = np.random.default_rng([seed, _STREAM, objects])
         scenes = [world.sample_scene(rng, objects) for _ in range(PREDICTED)]
         actions = [related.draw_actions(rng, as_pair(scene), 2)[0] for scene in scenes]
-        tasks = [
-            Task(scene, action, TARGET, reference=OtherObject(REFERENCE))
-            for scene, action in zip(scenes, actions, strict=True)
-        ]
+        rows = zip(scenes, actions, strict=True)
+        tasks = [Task(scene, action, TARGET, reference=other) for scene, action in rows]
         outcomes = [*perform_all(plain, tasks, workers)]
         pairs = np.concatenate([as_pair(scene).features for scene in scenes])
         effects, _ = model.predict(pairs, np.array(actions))

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from neurosym.data.origin import StrategyName
 from tools.benchmarks.jobs import Found
 from tools.benchmarks.relations.tasks import Cell, slug
+from tools.benchmarks.tables import mean_of
 
 
 class Way(NamedTuple):
@@ -27,10 +28,8 @@ class Way(NamedTuple):
 
 
 CURIOUS, RANDOM = Way("disagreement", "seed"), Way("random", "random", "random-")
-SINGLY = "singly"
-"""What names of jobs begin with that try symbols of single objects."""
-RIGHT = 0.85
-"""An operator has been found if it is right so often where it is promised."""
+SINGLY = "singly"  # what names of jobs begin with that try symbols of single objects
+RIGHT = 0.85  # an operator has been found if it is right so often where it is promised
 PUTS = "on", "in"
 KEYS = {"boxes": "three into three", "sort": "unstack and sort", "swap": "swap"}
 AT_PLACE = "tower of 3 at a place"
@@ -52,17 +51,17 @@ def summarise(
         "seeds": len(each),
         "steps": steps,
         **{
-            f"{put}_operator_seeds": sum(_right(one["operators"][put]) >= RIGHT for one in each.values())
+            f"{put}_operator_seeds": sum(
+                (one["operators"][put] or {"right": 0})["right"] >= RIGHT for one in each.values()
+            )
             for put in PUTS
         },
-        "towers": {height: _mean(table[f"tower of {height}"]["replanned"]) for height in ("3", "4")},
-        **{key: _mean(table[name]["replanned"]) for key, name in KEYS.items()},
-        "tower_at_place": _mean(table[AT_PLACE]["replanned"]),
-        **{
-            bits: _mean([one[bits]["balanced"] for one in each.values()])
-            for bits in ("static_bits", "state_bits")
-        },
-        "recall_on": _mean([one["recall_on"]["recall"] for one in each.values()]),
+        "towers": {height: mean_of(table[f"tower of {height}"]["replanned"]) for height in ("3", "4")},
+        **{key: mean_of(table[name]["replanned"]) for key, name in KEYS.items()},
+        "tower_at_place": mean_of(table[AT_PLACE]["replanned"]),
+        "static_bits": mean_of(one["static_bits"]["balanced"] for one in each.values()),
+        "state_bits": mean_of(one["state_bits"]["balanced"] for one in each.values()),
+        "recall_on": mean_of([one["recall_on"]["recall"] for one in each.values()]),
         "effect_errors": _errors([one["effect_errors"] for one in each.values()]),
         "learned": each,
         "at_random": at_random,
@@ -70,10 +69,6 @@ def summarise(
         "table_at_random": {name: _cell(found, name, RANDOM, every) for name in names},
         "singly": {name: [mean(one) for one in of_seeds if one] for name, of_seeds in singly.items()},
     }
-
-
-def _right(found: Mapping[str, float] | None) -> float:
-    return found["right"] if found else 0.0
 
 
 def _blocks(found: Found, begin: str) -> list[Any]:
@@ -105,7 +100,3 @@ def _errors(of_seeds: Sequence[Mapping[str, Mapping[str, float]]]) -> dict[str, 
     """Average what was measured of predicted ends over seeds, for each number of objects."""
     sizes = of_seeds[0] if of_seeds else {}
     return {size: {name: mean(one[size][name] for one in of_seeds) for name in sizes[size]} for size in sizes}
-
-
-def _mean(values: Sequence[float]) -> float | None:
-    return mean(values) if values else None

@@ -13,20 +13,15 @@ from typing import Any
 import numpy as np
 
 from neurosym.learning.network import EffectModel
-from neurosym.pair_operators import (
-    PairStates,
-    PlaceOperators,
-    RelationOperator,
-    RelationOperators,
-    describe_pair,
-)
+from neurosym.pair_operators import PairStates, PlaceOperators, RelationOperators, describe_pair
+from neurosym.pair_operators import RelationOperator as Operator
 from neurosym.primitives.reliability import end_state
 from neurosym.primitives.sampling import draw_scene
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MODEL, PLACE_OPERATORS, RELATION_OPERATORS, WORLD
 from neurosym.stages.problem_making import sight_of_pairs
 from neurosym.tasks.supports import PairSight
-from neurosym.world import Outcome
+from neurosym.world import Outcome, World
 from neurosym.worlds.aims import REFERENCE, TARGET, KnownMotions, RelatedFactory
 from neurosym.worlds.workers import Task, perform_all
 from neurosym.worlds.world_file import read_world
@@ -34,16 +29,12 @@ from tools.benchmarks.carrying.tasks import is_graspable
 from tools.benchmarks.relations.geometry import fits, relation
 from tools.benchmarks.relations.summary import PUTS
 
-REHEARSED = 48
-"""New rehearsals of an operator."""
-SURE = 0.8
-"""An operator is tried on pairs with which it is foreseen to keep its promise so often: `surely`."""
-PAIRS = 12_000
-"""New pairs, some of which are taken for each operator."""
+REHEARSED = 48  # new rehearsals of an operator
+SURE = 0.8  # an operator is tried on pairs with which it is foreseen to keep its promise so often: `surely`
+PAIRS = 12_000  # new pairs, some of which are taken for each operator
 NAMES = ("on", "in", "beside", "apart")
 """Relations that codes are matched with; those of `PUTS` are asked for by states that bear."""
-RANDOM = 600
-"""New actions whose ends are predicted."""
+RANDOM = 600  # new actions whose ends are predicted
 PRECISE = 0.7
 """So much of what is foreseen to end on the reference does, at least, where the least chance is chosen; more
 than is asked for, since half of so few actions say little."""
@@ -60,14 +51,10 @@ def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
     judged = _pairs_of(outcomes[1::2], table, NAMES)
     called = _matched(*_pairs_of(outcomes[::2], table, NAMES))
     meant = _matched(*_pairs_of(outcomes[::2], table, (*NAMES, "leaning")))
-    words = {
-        name: [
-            code
-            for code in sorted(meant)
-            if meant[code] == name and (name not in PUTS or code in table.bearing)
-        ]
-        for name in NAMES
-    }
+    words: dict[str, list[str]] = {name: [] for name in NAMES}
+    for code, name in sorted(meant.items()):
+        if name in NAMES and (name not in PUTS or code in table.bearing):
+            words[name].append(code)
     return {
         "operators": {name: _best(tried, table, name) for name in PUTS},
         "state_bits": {**_balanced(called, *judged), "pairs": len(judged[0])},
@@ -78,7 +65,7 @@ def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
     }
 
 
-Tried = tuple[RelationOperator, float, list[Outcome]]
+Tried = tuple[Operator, float, list[Outcome]]
 """An operator, the share of all pairs with which it is sure, and what it did to some of these."""
 
 
@@ -89,7 +76,7 @@ def _rehearsed(
     world, order = factory(), table.bearing
     scenes = [draw_scene(world, seed, _STREAM, number) for number in range(PAIRS)]
     features = np.concatenate([scene.features for scene in scenes])
-    kinds, asked = np.array(sight.kinds(features)), list[tuple[RelationOperator, np.ndarray]]()
+    kinds, asked = np.array(sight.kinds(features)), list[tuple[Operator, np.ndarray]]()
     assert sight.chances is not None, "learned with the kinds"
     for one in table.operators:
         if one.promise is None or one.promise.state not in order:
@@ -99,11 +86,8 @@ def _rehearsed(
         sure = rows[foreseen[:, order.index(one.promise.state)] >= SURE]
         if len(sure) >= REHEARSED:  # else such pairs are too rare to judge it
             asked.append((one, sure))
-    tasks = [
-        Task(scenes[row], np.array(table.primitive_of(one).action))
-        for one, sure in asked
-        for row in sure[:REHEARSED]
-    ]
+    chosen = [(row, table.primitive_of(one).action) for one, sure in asked for row in sure[:REHEARSED]]
+    tasks = [Task(scenes[row], np.array(action)) for row, action in chosen]
     performed = perform_all(factory, tasks, workers)
     return [(one, len(sure) / PAIRS, [next(performed) for _ in range(REHEARSED)]) for one, sure in asked]
 
@@ -130,18 +114,16 @@ def _best(tried: Sequence[Tried], states: PairStates, name: str) -> dict[str, An
     return {"operator": operator, "first_half": first, "right": second, "pairs": share}
 
 
-def _pairs_of(
-    outcomes: Sequence[Outcome], states: PairStates, told: Sequence[str]
-) -> tuple[list[str], list[str]]:
+def _pairs_of(outcomes: Sequence[Outcome], states: PairStates, told: Sequence[str]) -> list[list[str]]:
     """Tell of all pairs of objects their states, and what geometry calls them, if that is to be told."""
     codes, names = list[str](), list[str]()
     for outcome in outcomes:
-        for one, other in permutations(range(len(outcome.end)), 2):
-            if (name := relation(outcome, one, other)) in told:
-                described = describe_pair(outcome.end, one, other, outcome.contacts)
+        for pair in permutations(range(len(outcome.end)), 2):
+            if (name := relation(outcome, *pair)) in told:
+                described = describe_pair(outcome.end, *pair, outcome.contacts)
                 codes.append(states.of(described.tolist()).symbol)
                 names.append(name)
-    return codes, names
+    return [codes, names]
 
 
 def _static_accuracy(sight: PairSight, factory: RelatedFactory, seed: int) -> dict[str, Any]:
@@ -149,13 +131,19 @@ def _static_accuracy(sight: PairSight, factory: RelatedFactory, seed: int) -> di
     world, rng = factory(), np.random.default_rng([seed, _STREAM])
     scenes = [world.sample_scene(rng, 1) for _ in range(4 * RANDOM)]
     codes = sight.kinds(np.concatenate([scene.features for scene in scenes]))
-    pairs = [(scene.whole.features[TARGET], scene.whole.features[REFERENCE]) for scene in scenes]  # type: ignore[attr-defined]
+    pairs = [(scene.whole.features[TARGET], scene.whole.features[REFERENCE]) for scene in scenes]
     carries, fit = [str(is_graspable(one)) for one, _ in pairs], [str(fits(*pair)) for pair in pairs]
     found = {
         name: _balanced(_matched(codes[::2], told[::2]), codes[1::2], told[1::2])["balanced"]
         for name, told in (("carries", carries), ("fits", fit))
     }
     return {"balanced": float(np.mean([*found.values()])), **found}
+
+
+def known_motions(folder: Path, world: World) -> KnownMotions:
+    """Return the motions that exploring begins with: those that a domain carries to places with."""
+    table, model = PlaceOperators.load(folder / PLACE_OPERATORS), EffectModel.load(folder / MODEL)
+    return KnownMotions(table, model.object_symbols, world.action_box)
 
 
 def _recall(
@@ -167,31 +155,21 @@ def _recall(
     `PRECISE` of what is predicted to be on is so; the second half counts.
     """
     plain = read_world(folder / WORLD)
-    motions = KnownMotions(
-        PlaceOperators.load(folder / PLACE_OPERATORS),
-        EffectModel.load(folder / MODEL).object_symbols,
-        plain().action_box,
-    )
-    factory = RelatedFactory(plain, motions)
+    factory = RelatedFactory(plain, known_motions(folder, plain()))
     world, rng = factory(), np.random.default_rng([seed, _STREAM, 1])
     scenes = [world.sample_scene(rng, 1) for _ in range(RANDOM)]
-    actions = np.concatenate([world.draw_actions(rng, scene, 2)[:1] for scene in scenes])  # type: ignore[attr-defined]
+    actions = np.concatenate([world.draw_actions(rng, scene, 2)[:1] for scene in scenes])
     tasks = [Task(scene, action) for scene, action in zip(scenes, actions, strict=True)]
-    is_on = np.array(
-        [
-            outcome.carried and relation(outcome, TARGET, REFERENCE) == "on"
-            for outcome in perform_all(factory, tasks, workers)
-        ]
-    )
+    ends = perform_all(factory, tasks, workers)
+    is_on = np.array([end.carried and relation(end, TARGET, REFERENCE) == "on" for end in ends])
     assert sight.chances is not None, "learned with the kinds"
     order = states.bearing
     foreseen = sight.chances(np.concatenate([scene.features for scene in scenes]), actions)
     chances = foreseen[:, [order.index(symbol) for symbol in on if symbol in order]].sum(1)
     found, right = is_on[::2], is_on[1::2]
-    least = min(
-        (chance for chance in chances[::2] if chance > 0 and found[chances[::2] >= chance].mean() >= PRECISE),
-        default=np.inf,
-    )
+    first = chances[::2]
+    precise = (chance for chance in first if chance > 0 and found[first >= chance].mean() >= PRECISE)
+    least = min(precise, default=np.inf)
     said = chances[1::2] >= least
     return {
         "share": float(right.mean()),
@@ -201,15 +179,10 @@ def _recall(
 
 
 def _matched(codes: Sequence[str], names: Sequence[str]) -> dict[str, str]:
-    """Match each code with the name whose share of its own pairs is the greatest there.
-
-    So frequent names do not take every code.
-    """
-    of_name, together = Counter(names), Counter(zip(codes, names, strict=True))
-    return {
-        code: max(sorted(of_name), key=lambda name: together[code, name] / of_name[name])
-        for code in sorted(set(codes))
-    }
+    """Match each code with the name whose share of its own pairs is greatest; frequent ones take not all."""
+    of_name, both = Counter(names), Counter(zip(codes, names, strict=True))
+    told = sorted(of_name)
+    return {code: max(told, key=lambda name: both[code, name] / of_name[name]) for code in sorted(set(codes))}
 
 
 def _balanced(called: Mapping[str, str], codes: Sequence[str], names: Sequence[str]) -> dict[str, Any]:

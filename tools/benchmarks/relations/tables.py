@@ -6,7 +6,7 @@ from typing import Any, get_args
 from neurosym.errors import counted
 from tools.benchmarks.relations.geometry import Relation
 from tools.benchmarks.relations.summary import PUTS
-from tools.benchmarks.tables import document, over_seeds, table
+from tools.benchmarks.tables import document, over_seeds, table, written
 
 RELATIONS = get_args(Relation)
 
@@ -54,6 +54,10 @@ def _by_hand(found: Mapping[str, Any]) -> list[str]:
 def _learned(found: Mapping[str, Any]) -> list[str]:
     rows = [[f"seed {seed}", *_symbols(one)] for seed, one in found["learned"].items()]
     rows += [[f"seed {seed}, at random", *_symbols(one)] for seed, one in found["at_random"].items()]
+    errors = [
+        [size, *written(one, "error:2", "nothing_moves:2"), f"{one['carried']:.0%}"]
+        for size, one in found["effect_errors"].items()
+    ]
     return [
         "## What was learned",
         f"{counted(found['seeds'], 'seed')}, each with {found['steps']:,} interactions that are aimed at "
@@ -65,7 +69,7 @@ def _learned(found: Mapping[str, Any]) -> list[str]:
         "counted on the other; *kinds* is the mean of what *carries* and what *fits*. *Recalled*: of new "
         "actions that end on the reference, how many are foreseen to; and how much of what is foreseen is "
         "so. At random: learned from as many actions that nobody chose.",
-        table(["", "on", "in", "states", "kinds", "carries", "fits", "recalled", "precision"], rows),
+        table(" | on | in | states | kinds | carries | fits | recalled | precision", rows),
         "## Tasks",
         "A person draws the tasks and solves each by hand beforehand: the same tasks, by actions that a "
         "person wrote, are reached in all cases. Goals are told to the domain in the words that geometry "
@@ -74,10 +78,8 @@ def _learned(found: Mapping[str, Any]) -> list[str]:
         "What carries that object to places most surely is aimed at the other object. "
         "*At random*: learned with one seed from as many actions that nobody chose.",
         table(
-            [
-                *("task", "number", "planned", "followed blindly", "with replanning", "single objects"),
-                *("at random, blindly", "at random, replanned"),
-            ],
+            "task | number | planned | followed blindly | with replanning | single objects | "
+            "at random, blindly | at random, replanned",
             [_task(name, cell, found) for name, cell in found["table"].items()],
         ),
         "The last two rows are near to what others asked (`tools/benchmarks/relations/protocols.py`). With "
@@ -86,13 +88,7 @@ def _learned(found: Mapping[str, Any]) -> list[str]:
         "## Predicted ends",
         "New actions, drawn as exploring draws them, and where the network of pairs says that all objects "
         "end. Error of an object, summed over x, y and z, and the same if nothing moved.",
-        table(
-            ["objects", "error [cm]", "nothing moves [cm]", "target carried"],
-            [
-                [size, f"{one['error']:.2f}", f"{one['nothing_moves']:.2f}", f"{one['carried']:.0%}"]
-                for size, one in found["effect_errors"].items()
-            ],
-        ),
+        table("objects | error [cm] | nothing moves [cm] | target carried", errors),
     ]
 
 
@@ -100,12 +96,7 @@ def _task(name: str, cell: Mapping[str, Any], found: Mapping[str, Any]) -> list[
     at_random = found["table_at_random"][name]
     tried = (cell["blind"], cell["replanned"], found["singly"].get(name, ()))
     shares = ([100 * one for one in each] for each in (*tried, at_random["blind"], at_random["replanned"]))
-    return [
-        name,
-        str(cell["tasks"]),
-        str(cell["planned"]),
-        *(over_seeds(one, "{:.0f}%", 0) for one in shares),
-    ]
+    return [name, *written(cell, "tasks", "planned"), *(over_seeds(one, "{:.0f}%", 0) for one in shares)]
 
 
 def _symbols(one: Mapping[str, Any]) -> list[str]:

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
-from typing import TypeVar
+from typing import Any
 
 import numpy as np
 
@@ -21,16 +21,13 @@ from tools.benchmarks.relations.geometry import Relation, fits, relation
 from tools.benchmarks.world.hand_written import carry_to
 from tools.benchmarks.world.measures import MARGIN, random_place
 
-OBJECTS = 6
-"""How many objects a scene has."""
-FAR = 0.15
-"""So far away is a place at least [m]."""
+OBJECTS = 6  # how many objects a scene has
+FAR = 0.15  # so far away is a place at least [m]
 _APART = 0.05  # free room around a place [m]
 _DRAWS = 3000
 _STREAM = 0x7461
 
-Deed = tuple[int, OtherObject | Place]
-"""What is carried, and where to."""
+Deed = tuple[int, OtherObject | Place]  # what is carried, and where to
 
 
 class Unfit(Exception):
@@ -65,9 +62,7 @@ class Asked:
         )
 
 
-AnyAsked = TypeVar("AnyAsked", bound=Asked)
-Draw = Callable[[World, int], Asked]
-"""Draws the task of a seed."""
+Draw = Callable[[World, int], Asked]  # draws the task of a seed
 Cell = tuple[str, Draw, int]
 """What a cell of the table is called, what draws its tasks, and how many there are for each seed."""
 
@@ -140,13 +135,9 @@ def _swap(world: World, seed: int) -> Asked:
 
 
 def drawn(
-    attempt: Callable[[Scene, np.random.Generator], AnyAsked], objects: int, kind: list[int], seed: int
-) -> AnyAsked:
-    """Draw scenes until one makes a task, of which `attempt` says `Unfit` otherwise.
-
-    Raises:
-        RuntimeError: If none of many scenes makes one.
-    """
+    attempt: Callable[[Scene, np.random.Generator], Asked], objects: int, kind: list[int], seed: int
+) -> Any:
+    """Draw scenes until one makes a task, of which `attempt` says `Unfit` otherwise; at most `_DRAWS`."""
     for draw in range(_DRAWS):
         rng = np.random.default_rng([_STREAM, *kind, objects, seed, draw])
         try:

@@ -34,10 +34,8 @@ from tools.benchmarks.jobs import cpu_seconds
 from tools.benchmarks.planning.trials import PLANNER
 from tools.benchmarks.relations.tasks import Asked, Draw
 
-TIME_LIMIT = 60.0
-"""Of one plan [s]; far more than any takes."""
-Words = Mapping[str, Sequence[str]]
-"""Symbols of the states that geometry calls so."""
+TIME_LIMIT = 60.0  # of one plan [s]; far more than any takes
+Words = Mapping[str, Sequence[str]]  # symbols of the states that geometry calls so
 
 
 class Remembering(Adapted):
@@ -97,7 +95,7 @@ def _try_task(bench: Bench, sight: PairSight | None, words: Words, asked: Asked,
     reached = blind = world.last is not None and asked.is_met(world.last)
     if run.replannings:
         execute(world, problem, grounding, found.steps)
-        blind = world.last is not None and asked.is_met(world.last)
+        blind = asked.is_met(world.last)
     return Trial(
         status=found.status.value,
         reason="" if run.reached else f"{failure(run)}: {run.reason}",

@@ -55,7 +55,7 @@ def page(found: dict[str, Any]) -> str:
         "## Rows of a data set",
         "What `neurosym check` and `neurosym train --regime quick` take.",
         table(
-            ["rows", "command", "CPU [s]", "memory [MB]", "fit"],
+            "rows | command | CPU [s] | memory [MB] | fit",
             [row for name in ("check", "train") for row in _rows(found, name, partial(_fit, name))],
         ),
         "## Symbols",

@@ -12,8 +12,7 @@ from neurosym.pddl import compile_domain
 from neurosym.problems import Problem, SceneObject
 from neurosym.world import Table
 
-PITCH = 0.12
-"""How far from one another the objects of a made problem stand [m]."""
+PITCH = 0.12  # how far from one another the objects of a made problem stand [m]
 _MARGIN = 0.35  # between the objects and the edges of the table [m]
 _CATEGORIES = 4
 _PUSHED, _LIFTED = 0.08, 0.2
@@ -45,12 +44,8 @@ def write_data(path: Path, rows: int) -> None:
 def made_table(action_bits: int) -> OperatorTable:
     """Make a table of operators: of eight primitives one lifts, the others push, each category elsewhere."""
     rng = np.random.default_rng(action_bits)
-    codes = [f"{number:02b}" for number in range(_CATEGORIES)]
-    features = [(0.03, 0.03, 0.05, 0.0) for _ in codes]
-    categories = [
-        Category(code, f"kind-{code}", 1 / _CATEGORIES, made, (0.0,) * 4)
-        for code, made in zip(codes, features, strict=True)
-    ]
+    codes, features = [f"{number:02b}" for number in range(_CATEGORIES)], (0.03, 0.03, 0.05, 0.0)
+    categories = [Category(code, f"kind-{code}", 1 / _CATEGORIES, features, (0.0,) * 4) for code in codes]
     symbols = all_symbols(action_bits)
     primitives = tuple(Primitive(symbol, (0.0,) * 12, 0.0) for symbol in symbols)
     operators = [

@@ -19,12 +19,11 @@ from neurosym.problems import Problem
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.tabletop import Tabletop
 from neurosym.tasks.transition import validate
-from tools.benchmarks.jobs import cpu_seconds
+from tools.benchmarks.jobs import children_cpu, cpu_seconds
 from tools.benchmarks.scale.made import made_domain, made_problem, write_data
 
 PLANNERS = ("counting", "fast-downward")
-CEILING = 1800.0
-"""When a planner is given up [s]."""
+CEILING = 1800.0  # when a planner is given up [s]
 
 Results = dict[str, Any]
 Value = TypeVar("Value")
@@ -36,11 +35,10 @@ def command(name: str, rows: int, *options: str) -> Results:
         write_data(Path(place) / "interactions.npz", rows)
         typed = [sys.executable, "-m", "neurosym", name, place, *options]
         ended = subprocess.run(typed, capture_output=True, text=True, check=False)
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return {
         "code": ended.returncode,
-        "cpu_seconds": round(used.ru_utime + used.ru_stime, 1),
-        "megabytes": round(used.ru_maxrss / 1024),
+        "cpu_seconds": round(children_cpu(), 1),
+        "megabytes": _megabytes(resource.RUSAGE_CHILDREN),
         "said": [line for line in ended.stdout.splitlines() if line.startswith("R2")],
     }
 
@@ -82,7 +80,7 @@ def _planned(action_bits: int, count: int) -> Results:
             "valid": valid,
             "reason": result.reason,
         }
-    return {**found, "megabytes": _most_megabytes()}
+    return {**found, "megabytes": _megabytes(resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)}
 
 
 def refusals() -> Results:
@@ -112,6 +110,6 @@ def _timed(call: Callable[[], Value]) -> tuple[Value, float]:
     return value, cpu_seconds() - begin
 
 
-def _most_megabytes() -> int:
-    kinds = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+def _megabytes(*kinds: int) -> int:
+    """Return the memory of the largest process [MB]."""
     return round(max(resource.getrusage(kind).ru_maxrss for kind in kinds) / 1024)

@@ -1,8 +1,10 @@
 """A window of a real browser that looks at a page of the studio, driven as a person would."""
 
+import os
 import shutil
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,8 +19,8 @@ FLAGS = (
     *("--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader"),
     *("--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"),
 )
-SLOW = 180.0
-"""Seconds for what a browser that draws in software does."""
+AXE = Path(os.environ.get("AXE_CORE", "node_modules/axe-core/axe.min.js"))  # finds barriers; from npm
+SLOW = 180.0  # seconds for what a browser that draws in software does
 
 
 def browser_here() -> str | None:
@@ -26,17 +28,23 @@ def browser_here() -> str | None:
     return next(filter(None, map(shutil.which, BROWSERS)), None)
 
 
-def wait_for(true: Callable[[], object], seconds: float = 300.0) -> None:
-    """Wait until something is true.
-
-    Raises:
-        TimeoutError: If it does not become so.
-    """
+def wait_for(
+    true: Callable[[], object], seconds: float = 300.0, pause: Callable[[], object] = lambda: time.sleep(0.02)
+) -> None:
+    """Wait until something is true; raise TimeoutError if it does not become so."""
     end = time.monotonic() + seconds
     while not true():
         if time.monotonic() > end:
             raise TimeoutError("it took too long")
-        time.sleep(0.02)
+        pause()
+
+
+def serious_violations(tab: Any) -> list[str]:
+    """Say which barriers axe-core finds on a page that are serious or critical."""
+    tab.evaluate(AXE.read_text(encoding="utf-8"))
+    found = tab.evaluate("async () => (await axe.run(document, {resultTypes: ['violations']})).violations")
+    bad = [one for one in found if one["impact"] in ("serious", "critical")]
+    return [f"{one['id']}: {node['html'][:120]}" for one in bad for node in one["nodes"]]
 
 
 class Window:
@@ -56,7 +64,7 @@ class Window:
 
     def await_page(self) -> None:
         """Wait until the page can be used."""
-        self.tab.get_by_text("Stands at x, y").wait_for(timeout=1000 * SLOW)
+        self.tab.locator("#cover").wait_for(state="detached", timeout=1000 * SLOW)
         wait_for(lambda: self.page.server.get_clients(), SLOW)
 
     def pixel(self, point: Any) -> tuple[float, float]:
@@ -64,9 +72,8 @@ class Window:
         camera = next(iter(self.page.server.get_clients().values())).camera
         w, x, y, z = camera.wxyz
         ahead = Rotation.from_quat((x, y, z, w)).inv().apply(np.array(point) - camera.position)
-        width, height = self.tab.evaluate(
-            "(c => [c.clientWidth, c.clientHeight])(document.querySelector('canvas'))"
-        )
+        canvas = "(c => [c.clientWidth, c.clientHeight])(document.querySelector('canvas'))"
+        width, height = self.tab.evaluate(canvas)
         focus = height / 2 / np.tan(camera.fov / 2)
         return width / 2 + focus * ahead[0] / ahead[2], height / 2 + focus * ahead[1] / ahead[2]
 
@@ -100,8 +107,4 @@ class Window:
 
     def wait(self, true: Callable[[], object], seconds: float = SLOW) -> None:
         """Wait until something is true, while the browser goes on."""
-        end = time.monotonic() + seconds
-        while not true():
-            if time.monotonic() > end:
-                raise TimeoutError("it took too long")
-            self.tab.wait_for_timeout(50)
+        wait_for(true, seconds, lambda: self.tab.wait_for_timeout(50))

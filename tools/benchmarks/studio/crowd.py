@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import viser
-from websockets.sync.client import ClientConnection, connect
+from websockets.sync.client import connect
 
 from tools.benchmarks.studio.browser import wait_for
 from tools.benchmarks.studio.measures import cpu_seconds, memory, studio
@@ -17,31 +17,20 @@ STUDENTS, RUNNING, SECONDS, GAP = 30, 5, 20.0, 0.05
 
 
 class Looker:
-    """A window that draws nothing: it takes in what a page sends, and notes when.
-
-    Args:
-        address: Of the door.
-        page: What the page is called.
-    """
+    """A window that draws nothing: it takes in what a page sends, and notes when."""
 
     def __init__(self, address: str, page: str):
         url = f"{address.replace('http', 'ws', 1)}/page/{page}"
-        version = f"viser-v{viser.__version__}"
-        self._way: ClientConnection = connect(url, subprotocols=[version], max_size=None)  # type: ignore[list-item]
+        self.way = connect(url, subprotocols=[f"viser-v{viser.__version__}"], max_size=None)
         self.heard: list[float] = []
-        self._thread = threading.Thread(target=self._listen, daemon=True)
-        self._thread.start()
+        threading.Thread(target=self._listen, daemon=True).start()
 
-    def close(self) -> None:
-        """Look away."""
-        self._way.close()
-
-    def first_after(self, moment: float) -> float | None:
-        """Return when the first message after a moment came."""
-        return next((heard for heard in self.heard if heard > moment), None)
+    def first_after(self, moment: float) -> float:
+        """Return when the first message after a moment came; never, if none did."""
+        return next((heard for heard in self.heard if heard > moment), np.inf)
 
     def _listen(self) -> None:
-        for _ in self._way:
+        for _ in self.way:
             self.heard.append(time.monotonic())
 
 
@@ -65,19 +54,19 @@ def measure_crowd() -> dict[str, Any]:
         workers = [worker for one in running if one.running.ticket and (worker := one.running.ticket.process)]
         drawn = [page.drawn for page in pages[:RUNNING]]
         began, cpu = time.monotonic(), cpu_seconds(os.getpid())
-        theirs = sum(map(cpu_seconds, workers))
-        answers, number = [], 0
+        theirs, answers = sum(map(cpu_seconds, workers)), []
         while time.monotonic() < began + SECONDS:
+            number, moment = len(answers), time.monotonic()
             place = RUNNING + number % (STUDENTS - RUNNING)
-            moment = time.monotonic()
             pages[place].session.aim("item-01", 0.5 + 0.001 * (number % 100), 0.0)
             time.sleep(GAP)
             answers.append((lookers[place], moment))
-            number += 1
-            _keep_running(running)
-        seconds = time.monotonic() - began
+            for session in running:  # what came to its end begins again
+                if not session.running.is_active and session.plan_shown:
+                    session.running.begin()
+        seconds, theirs = time.monotonic() - began, sum(map(cpu_seconds, workers)) - theirs
         rates = [(page.drawn - first) / seconds for page, first in zip(pages, drawn, strict=False)]
-        waits = [(looker.first_after(moment) or np.inf) - moment for looker, moment in answers]
+        waits = [looker.first_after(moment) - moment for looker, moment in answers]
         found = {
             "pages looked at": STUDENTS,
             "of these running": RUNNING,
@@ -86,20 +75,11 @@ def measure_crowd() -> dict[str, Any]:
             "95 % of drags are answered within [ms]": round(1000 * float(np.quantile(waits, 0.95))),
             "fewest poses drawn a second of a run": round(min(rates), 1),
             "CPU of the server [% of a core]": round(100 * (cpu_seconds(os.getpid()) - cpu) / seconds),
-            "CPU of all simulators [% of a core]": round(
-                100 * (sum(map(cpu_seconds, workers)) - theirs) / seconds
-            ),
+            "CPU of all simulators [% of a core]": round(100 * theirs / seconds),
             "memory of a page [MB]": round((after - before) / STUDENTS, 1),
             "memory of a process that runs [MB]": round(max(map(memory, workers))),
             "cores": os.cpu_count(),
         }
         for looker in lookers:
-            looker.close()
+            looker.way.close()
         return found
-
-
-def _keep_running(sessions: list[Any]) -> None:
-    """Begin again what came to its end."""
-    for session in sessions:
-        if not session.running.is_active and session.plan_shown:
-            session.running.begin()

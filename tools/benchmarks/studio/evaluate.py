@@ -7,7 +7,6 @@ import argparse
 import json
 from collections.abc import Callable
 from datetime import date
-from pathlib import Path
 from typing import Any
 
 import rich
@@ -15,28 +14,35 @@ import rich
 from neurosym.execution.record import this_machine
 from neurosym.files import write_atomically
 from neurosym.stages.console import say
+from tools.benchmarks.jobs import as_text
+from tools.benchmarks.options import RESULTS
 from tools.benchmarks.studio.crowd import measure_crowd
-from tools.benchmarks.studio.measures import measure_drags, measure_recording, measure_run, measure_start
+from tools.benchmarks.studio.measures import (
+    measure_access,
+    measure_drags,
+    measure_recording,
+    measure_run,
+    measure_start,
+)
 
-RESULTS = Path("docs") / "results"
 PARTS: dict[str, tuple[str, Callable[[], dict[str, Any]]]] = {
     "start": ("Until the page can be used", measure_start),
+    "access": ("Barriers that axe-core calls serious or critical", measure_access),
     "run": ("One run, as fast as in reality", measure_run),
     "drags": ("Goals dragged by mouse", measure_drags),
     "recording": ("A run as one file", measure_recording),
     "crowd": ("A class on one server", measure_crowd),
-}
-"""What is measured, by what it is called."""
+}  # what is measured, by what it is called
 
 
 def page(found: dict[str, Any]) -> str:
     """Return the results as a document."""
-    lines = ["# Studio", "", "Printed by `python -m tools.benchmarks.studio.evaluate`.", ""]
-    for part, (title, _) in PARTS.items():
-        if part in found:
-            lines += [f"## {title}", "", "| what | value |", "| --- | --- |"]
-            lines += [*(f"| {name} | {value} |" for name, value in found[part].items()), ""]
-    return "\n".join(lines)
+    tables = {title: found[part] for part, (title, _) in PARTS.items() if part in found}
+    return "# Studio\n\nPrinted by `python -m tools.benchmarks.studio.evaluate`.\n\n" + "\n".join(
+        f"## {title}\n\n| what | value |\n| --- | --- |\n"
+        + "".join(f"| {name} | {value} |\n" for name, value in told.items())
+        for title, told in tables.items()
+    )
 
 
 def main() -> None:
@@ -45,16 +51,15 @@ def main() -> None:
     parser.add_argument("--only", choices=PARTS, help="measure this part only")
     only = parser.parse_args().only
     rich.get_console().quiet = True  # on which the server of pages announces itself
-    file = RESULTS / "studio.json"
+    file, machine = RESULTS / "studio.json", f"{this_machine().processor}, {date.today().isoformat()}"
     found = json.loads(file.read_text()) if file.exists() else {}
     for part, (title, measure) in PARTS.items():
         if only in (None, part):
             say(f"measuring: {title}")
-            here = this_machine()
-            found[part] = measure() | {"machine": f"{here.processor}, {date.today().isoformat()}"}
-            write_atomically(file, json.dumps(found, indent=1) + "\n")
+            found[part] = measure() | {"machine": machine}
+            write_atomically(file, as_text(found))
             write_atomically(RESULTS / "studio.md", page(found))
-            say(json.dumps(found[part], indent=1))
+            say(as_text(found[part]))
 
 
 if __name__ == "__main__":

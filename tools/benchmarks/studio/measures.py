@@ -17,10 +17,10 @@ from neurosym.choices import shipped_domain
 from neurosym.stages.folder import DomainFolder
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Seen
-from neurosym.studio.server import Studio
+from neurosym.studio.server import PANELS, Studio
 from neurosym.studio.session import Session
 from neurosym.studio.view import film_of
-from tools.benchmarks.studio.browser import FLAGS, SLOW, Window, browser_here, wait_for
+from tools.benchmarks.studio.browser import FLAGS, SLOW, Window, browser_here, serious_violations, wait_for
 
 STARTS, DRAGS = 3, 12
 
@@ -90,7 +90,7 @@ def measure_start() -> dict[str, Any]:
             tab.on("request", lambda request: asked.append(request.url))
             opened = time.monotonic()
             tab.goto(url)
-            tab.get_by_text("Stands at x, y").wait_for(timeout=1000 * SLOW)
+            tab.locator("#cover").wait_for(state="detached", timeout=1000 * SLOW)
             usable.append(time.monotonic() - opened)
         process.send_signal(signal.SIGINT)
         process.wait(30)
@@ -100,6 +100,26 @@ def measure_start() -> dict[str, Any]:
         "requests": len(asked),
         "requests to anywhere else": len(foreign(asked)),
     }
+
+
+def barriers(opened: Window) -> list[str]:
+    """Say which serious barriers there are on any panel of a page, light and dark."""
+    found = list[str]()
+    for is_dark in (False, True):
+        opened.page.set_dark(is_dark)
+        for label in filter(None, PANELS):
+            opened.open(label)
+            opened.tab.wait_for_timeout(700)
+            found += serious_violations(opened.tab)
+    opened.page.set_dark(False)
+    return found
+
+
+def measure_access() -> dict[str, Any]:
+    """Look for barriers on every panel, light and dark, in a wide window and in a small one."""
+    with studio("task-14") as opened, chromium() as browser:
+        found = [barriers(Window(browser, opened, *size)) for size in ((1400, 900), (390, 844))]
+    return {"axe_serious": sum(map(len, found))}
 
 
 def measure_run() -> dict[str, Any]:
@@ -174,12 +194,8 @@ def measure_recording() -> dict[str, Any]:
 def _poses(session: Session) -> list[Seen]:
     """Return a list to which each pose is added that a session is told from now on."""
     found: list[Seen] = []
-
-    def hear(topic: str) -> None:
-        if topic == "pose" and (seen := session.running.seen):
-            found.append(seen)
-
-    session.listen(hear)
+    running = session.running
+    session.listen(lambda topic: found.append(seen) if topic == "pose" and (seen := running.seen) else None)
     return found
 
 

@@ -62,19 +62,17 @@ PARTS = {
     "inverse kinematics": ("joints_for",),
     "motor commands": ("_drive_arm", "_drive_fingers"),
     "looking": ("tool_point", "_is_quiet", "_watch", "half_opening", "touched_by", "observe"),
-}
-"""Where the time of an interaction goes: functions by what they are for."""
+}  # where the time of an interaction goes: functions by what they are for
 
 
 def profile(world: Any, tasks: list[Task]) -> dict[str, float]:
     """Share out the time of whole interactions over what it is spent on, as the profiler sees it."""
     profiler = cProfile.Profile()
     profiler.runcall(_perform_all, world, tasks)
-    stats = pstats.Stats(profiler)
-    spent: Counter[str] = Counter()
-    for (_, _, function), row in stats.stats.items():  # type: ignore[attr-defined]
+    stats, spent = pstats.Stats(profiler), Counter[str]()
+    for (_, _, function), row in stats.stats.items():
         spent[function.rstrip(">").split()[-1].split(".")[-1]] += row[3]  # also of `<built-in method f>`
-    total: float = stats.total_tt  # type: ignore[attr-defined]
+    total = stats.total_tt
     shares = {name: round(sum(spent[part] for part in parts) / total, 3) for name, parts in PARTS.items()}
     return shares | {"rest": round(1 - sum(shares.values()), 3)}
 
@@ -88,11 +86,7 @@ def _perform_all(world: Any, tasks: list[Task]) -> float:
 
 
 def stepping(world: Any, tasks: list[Task]) -> tuple[float, float, float]:
-    """Measure bare stepping and whole actions, in turns.
-
-    Returns:
-        Bare steps in a CPU second, steps of whole actions in a CPU second, CPU seconds of an interaction.
-    """
+    """Return bare steps, and steps of whole actions, in a CPU second; and CPU seconds of an interaction."""
     whole = bare = 0.0
     steps = bare_steps = 0
     inner = Simulation.step
@@ -113,19 +107,18 @@ def stepping(world: Any, tasks: list[Task]) -> tuple[float, float, float]:
 
     try:
         for task in tasks:
-            Simulation.step = counted  # type: ignore[method-assign]
+            Simulation.step = counted
             whole += _perform_all(world, [task])
-            Simulation.step = strewn_with_bare_steps  # type: ignore[method-assign]
+            Simulation.step = strewn_with_bare_steps
             _perform_all(world, [task])
     finally:
-        Simulation.step = inner  # type: ignore[method-assign]
+        Simulation.step = inner
     return bare_steps / bare, steps / whole, whole / len(tasks)
 
 
 def _rate_with(workers: int, time_step: float, tasks: list[Task]) -> float:
     """Return how many interactions so many worker processes make in a second of the clock."""
-    make = factory(time_step=time_step)
-    with crew(make, workers) as perform:
+    with crew(factory(time_step=time_step), workers) as perform:
         list(perform(tasks[: 4 * workers]))  # until every worker has its world
         begin = time.perf_counter()
         list(perform(tasks))

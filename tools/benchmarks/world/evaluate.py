@@ -13,7 +13,7 @@ import tyro
 
 from neurosym.worlds.workers import perform_all
 from tools.benchmarks.jobs import Evaluation, Job, machine
-from tools.benchmarks.options import RESULTS, Results, Scale, Work
+from tools.benchmarks.options import RESULTS, Results, Scale, Work, scaled
 from tools.benchmarks.world import measures
 from tools.benchmarks.world.bench import bench, memory
 from tools.benchmarks.world.tables import page
@@ -24,11 +24,7 @@ WORKERS = 2
 
 def parts(scale: float) -> dict[str, Job]:
     """List what is measured, each part over so many times the usual number of interactions."""
-
-    def some(count: int) -> int:
-        return max(4, round(count * scale))
-
-    chaos = measures.predictability
+    some, chaos = partial(scaled, scale), measures.predictability
     return {
         "predictability": partial(chaos, some(1000), 101, WORKERS),
         "predictability_other_seed": partial(chaos, some(1000), 102, WORKERS),

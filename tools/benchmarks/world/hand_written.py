@@ -5,7 +5,7 @@ the action box, the object does not afford the primitive. They measure the world
 it?) and are never shown to the robot.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import NamedTuple
 
@@ -18,23 +18,18 @@ from neurosym.world import Outcome
 Action = Float[np.ndarray, "12"]
 Features = Float[np.ndarray, "F"]
 
-REACH = 0.05
-"""How far from the target's centre a waypoint may lie along x and y [m]."""
-HAND_HALF = np.array([0.011, 0.012])
-"""Half the closed hand's size along x and y [m]."""
+REACH = 0.05  # how far from the target's centre a waypoint may lie along x and y [m]
+HAND_HALF = np.array([0.011, 0.012])  # half the closed hand's size along x and y [m]
 INNER, OUTER = 0.07, 0.082
 """From the middle of the open hand to the inner and the outer faces of its fingers [m]."""
-GAP = 0.003
-"""Space left between hand and object before a motion [m]."""
+GAP = 0.003  # space left between hand and object before a motion [m]
 WALL = 0.006
 LOW = -0.025
 """Pushes are as low as the action box allows, lest tall objects topple: height above the centre [m]."""
-CARRY = 0.018
-"""How high pick-and-place carries [m]."""
+CARRY = 0.018  # how high pick-and-place carries [m]
 LEAST_PUSH, LEAST_CARRY, LEAST_LIFT, LEAST_PEAK = 0.01, 0.03, 0.10, 0.008
 """What counts as pushed, carried (over the table), lifted, and carried in the air [m]."""
-MOST_OFF_AXIS = 0.35
-"""Greatest sideways share of a push."""
+MOST_OFF_AXIS = 0.35  # greatest sideways share of a push
 _OPEN, _CLOSED = 1.0, 0.0
 
 
@@ -83,7 +78,7 @@ def _straight(axis: int, start: float, end: float, gripper: float) -> Action:
     return waypoints.ravel()
 
 
-def _gripped(features: Features, then: Callable[[float], tuple[_Waypoint, _Waypoint]]) -> Action | None:
+def _gripped(features: Features, then: Callable[[float], Iterable[_Waypoint]]) -> Action | None:
     """Open the hand where along y it closes around an object or a wall, and go on; None if nowhere."""
     if _is_spannable(features):
         y = 0.0
@@ -109,28 +104,17 @@ def carry_to(features: Features) -> Action | None:
 
 def pick_and_place(features: Features) -> Action | None:
     """Carry an object through the air to another place; None if it does not afford that."""
-    return _gripped(
-        features, lambda y: ((REACH, y - REACH, CARRY, _CLOSED), (REACH, y - REACH, REACH, _OPEN))
-    )
+    aside = (CARRY, _CLOSED), (REACH, _OPEN)
+    return _gripped(features, lambda y: [(REACH, y - REACH, *how) for how in aside])
 
 
-class HandWritten(NamedTuple):
-    """A primitive written by hand."""
-
-    action: Callable[[Features], Action | None]  # what to do with an object; None if it does not afford it
-    failure: Callable[[Outcome], str]  # what went wrong, or an empty text
-
-
-def _push_failure(axis: int, sign: int) -> Callable[[Outcome], str]:
-    def failure(outcome: Outcome) -> str:
-        if outcome.kind != "resting":
-            return outcome.kind
-        along, aside = sign * outcome.effect[axis], abs(outcome.effect[1 - axis])
-        if along < LEAST_PUSH:
-            return "hardly moved"
-        return "went aside" if aside > MOST_OFF_AXIS * along else ""
-
-    return failure
+def _push_failure(outcome: Outcome, axis: int, sign: int) -> str:
+    if outcome.kind != "resting":
+        return outcome.kind
+    along, aside = sign * outcome.effect[axis], abs(outcome.effect[1 - axis])
+    if along < LEAST_PUSH:
+        return "hardly moved"
+    return "went aside" if aside > MOST_OFF_AXIS * along else ""
 
 
 def _grasp_failure(outcome: Outcome) -> str:
@@ -147,12 +131,19 @@ def _carry_failure(outcome: Outcome) -> str:
     return "" if np.linalg.norm(outcome.effect[:2]) >= LEAST_CARRY else "hardly moved"
 
 
+class HandWritten(NamedTuple):
+    """A primitive written by hand."""
+
+    action: Callable[[Features], Action | None]  # what to do with an object; None if it does not afford it
+    failure: Callable[[Outcome], str]  # what went wrong, or an empty text
+
+
+_WAYS = {"right": (1, -1), "left": (1, 1), "forward": (0, 1), "pull": (0, -1)}  # axis, sign
 HAND_WRITTEN = {
-    "right": HandWritten(partial(push, axis=1, sign=-1), _push_failure(1, -1)),
-    "left": HandWritten(partial(push, axis=1, sign=1), _push_failure(1, 1)),
-    "forward": HandWritten(partial(push, axis=0, sign=1), _push_failure(0, 1)),
-    "pull": HandWritten(partial(push, axis=0, sign=-1), _push_failure(0, -1)),
+    **{
+        name: HandWritten(partial(push, axis=axis, sign=sign), partial(_push_failure, axis=axis, sign=sign))
+        for name, (axis, sign) in _WAYS.items()
+    },
     "grasp": HandWritten(grasp, _grasp_failure),
     "pick-and-place": HandWritten(pick_and_place, _carry_failure),
-}
-"""The paper's six primitives."""
+}  # the paper's six primitives

@@ -18,10 +18,8 @@ from neurosym.world import Outcome, Place, Table
 from neurosym.worlds.workers import Task, crew, perform_all
 from tools.benchmarks.world.hand_written import HAND_WRITTEN, carry_to
 
-NUDGE = 1e-4
-"""Length of the vector by which an action is changed to see whether its effect survives [m]."""
-SPANNABLE = 0.128
-"""Objects are spanned by the hand up to this s_y [m]: its opening of 0.14 m less some room."""
+NUDGE = 1e-4  # length of the vector by which an action is changed to see whether its effect survives [m]
+SPANNABLE = 0.128  # objects are spanned by the hand up to this s_y [m]: its opening of 0.14 m less some room
 MARGIN = 0.05
 """How far inside the edge places lie that objects are carried to, lest their centres end beyond it [m]."""
 
@@ -37,9 +35,8 @@ def random_tasks(
     count: int, seed: int, *, nudge: float = 0.0, objects: int = 1, world: Tabletop | None = None
 ) -> list[Task]:
     """Draw random actions on random objects, each nudged by a random vector of that length [m]."""
-    world = world or Tabletop()
+    world, tasks = world or Tabletop(), list[Task]()
     box = world.action_box
-    tasks = []
     for number in range(count):
         rng = np.random.default_rng([seed, number])
         scene = world.sample_scene(rng, objects)
@@ -94,9 +91,8 @@ def random_outcomes(outcomes: Sequence[Outcome]) -> Results:
         "open, too wide": hollow & wide,
     }
     # how high the lowest possible point of the target lies at the end: at least 0 on a table [m]
-    bottoms = [
-        one.end.positions[one.target][2] - one.start.features[one.target][:3].min() / 2 for one in outcomes
-    ]
+    halves = [one.start.features[one.target][:3].min() / 2 for one in outcomes]
+    bottoms = np.array([one.end.positions[one.target][2] for one in outcomes]) - halves
     moved = np.linalg.norm(data.resting_effects, axis=1)
     return {
         "interactions": len(data),
@@ -109,7 +105,7 @@ def random_outcomes(outcomes: Sequence[Outcome]) -> Results:
         "lost": float(data.lost.mean()),
         "moved_less_than_1cm": float(np.mean(np.linalg.norm(data.effects, axis=1) < 0.01)),
         "greatest_displacement_m": float(moved.max()),
-        "below_the_table": int(np.sum(np.array(bottoms) < -0.002)),
+        "below_the_table": int(np.sum(bottoms < -0.002)),
     }
 
 
@@ -132,14 +128,12 @@ def object_matters(actions: int, objects: int, seed: int, workers: int) -> Resul
         "objects": objects,
         "share_of_action_alone": float((alone / (alone + within)).mean()),
         "by_axis": (alone / (alone + within)).tolist(),
-        "outcomes_by_kind": _outcomes_by_kind(
-            [kind_of(one.features[0]) for one in scenes], outcomes, actions
-        ),
+        "outcomes_by_kind": _outcomes_by_kind([kind_of(one.features[0]) for one in scenes], outcomes),
     }
 
 
-def _outcomes_by_kind(kinds: Sequence[str], outcomes: Sequence[Outcome], actions: int) -> Results:
-    found: dict[str, Counter[str]] = {kind: Counter() for kind in sorted(set(kinds))}
+def _outcomes_by_kind(kinds: Sequence[str], outcomes: Sequence[Outcome]) -> Results:
+    actions, found = len(outcomes) // len(kinds), {kind: Counter[str]() for kind in sorted(set(kinds))}
     for number, outcome in enumerate(outcomes):
         is_unmoved = outcome.kind == "resting" and np.linalg.norm(outcome.effect) < 0.01
         found[kinds[number % len(kinds)]]["unmoved" if is_unmoved else outcome.kind] += 1
@@ -174,7 +168,15 @@ def carrying(objects: int, seed: int, workers: int) -> Results:
         for shape in SHAPES:
             tasks, drawn = _afforded(carry_to, shape, objects, seed, to_places=True)
             outcomes = [*perform(tasks)]
-            table[shape] = {"afforded_by": round(objects / drawn, 3), **_carried(outcomes)}
+            carried = [outcome for outcome in outcomes if outcome.kind == "carried"]
+            offsets = [1000 * float(np.linalg.norm(outcome.resting_effect[:2])) for outcome in carried]
+            table[shape] = {
+                "afforded_by": round(objects / drawn, 3),
+                "objects": len(outcomes),
+                "success": len(carried) / len(outcomes),
+                "offset_mm": np.quantile(offsets, (0.5, 0.9)).round(1).tolist(),
+                "turn_degrees": round(math.degrees(np.quantile([one.turn for one in carried], 0.9)), 1),
+            }
     return table
 
 
@@ -183,7 +185,6 @@ def _afforded(
     shape: str,
     objects: int,
     seed: int,
-    *,
     to_places: bool = False,
 ) -> tuple[list[Task], int]:
     """Draw objects until so many afford an action; return these, and how many were drawn."""
@@ -196,17 +197,6 @@ def _afforded(
         if (action := act(scene.features[0])) is not None:
             tasks.append(Task(scene, action, reference=place))
     return tasks, drawn
-
-
-def _carried(outcomes: Sequence[Outcome]) -> Results:
-    carried = [outcome for outcome in outcomes if outcome.kind == "carried"]
-    offsets = [1000 * float(np.linalg.norm(outcome.resting_effect[:2])) for outcome in carried]
-    return {
-        "objects": len(outcomes),
-        "success": len(carried) / len(outcomes),
-        "offset_mm": np.quantile(offsets, (0.5, 0.9)).round(1).tolist(),
-        "turn_degrees": round(math.degrees(np.quantile([outcome.turn for outcome in carried], 0.9)), 1),
-    }
 
 
 def predictability_of_carrying(count: int, seed: int, workers: int) -> Results:

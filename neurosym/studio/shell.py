@@ -1,0 +1,57 @@
+"""The page around the panels: viser's own, with a title, a style and a script of ours.
+
+Viser is a page that builds itself. Ours covers it until the panels are there, names what viser leaves without
+a name, and lays it out in small windows.
+"""
+
+import gzip
+import json
+import re
+from collections.abc import Mapping, Sequence
+from html import escape
+from pathlib import Path
+
+import viser
+
+from neurosym.files import read_text
+from neurosym.world import Table
+
+_TEMPLATES = Path(__file__).with_name("templates")
+_VISER = Path(viser.__file__).with_name("client") / "build" / "index.html"
+_ICON = (
+    "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 16 16'%3E"
+    "%3Cpath fill='%23006b55' d='M0 0h7v16H0zM9 0h7v16H9z'/%3E%3C/svg%3E"
+)
+_OPENING = (
+    '<h1 class="unseen">{title}</h1>'
+    '<div id="cover" role="status">Opening the table; this takes a few seconds.</div>'
+    '<div id="live" class="unseen" role="status" aria-live="polite"></div>'
+)
+Bounds = Mapping[str, Sequence[tuple[float, float]]]
+"""Of fields by their labels: the least and the greatest value of each of their numbers."""
+
+
+def bounds_of(table: Table) -> Bounds:
+    """Return within what the fields of the panels lie whose ends viser does not tell."""
+    ends = {"Stands at x, y": (table.x, table.y), "Goal x, y, z": (table.x, table.y)}
+    return {**ends, "Tolerance [mm]": [(1, 500)], "Seed": [(0, 2**53)], "Interaction": [(0, 2**53)]}
+
+
+def page_html(title: str, bounds: Bounds) -> bytes:
+    """Return the page that a browser is given, packed by gzip.
+
+    Args:
+        title: What stands on the browser's tab, and is read out first.
+        bounds: What a user is told while typing.
+    """
+    page = read_text(_VISER)
+    style, script = (read_text(_TEMPLATES / f"page.{kind}") for kind in ("css", "js"))
+    told = json.dumps(bounds).replace("<", "\\u003c")
+    head = (
+        f'<title>{escape(title)}</title><link rel="icon" href="{_ICON}"/><style>{style}</style>'
+        f"<script>window.neurosymBounds = {told};\n{script}</script>"
+    )
+    page = re.sub(r'<link\s+rel="icon".*?/>|<meta name="description".*?/>', "", page, flags=re.DOTALL)
+    page = page.replace("<title>Viser</title>", head, 1)
+    opening = f'{_OPENING.format(title=escape(title))}<main id="root"></main>'
+    return gzip.compress(page.replace('<div id="root"></div>', opening, 1).encode())
