@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from playwright.sync_api import sync_playwright
 
 from neurosym.choices import shipped_domain
 from neurosym.stages.folder import DomainFolder
@@ -42,6 +41,8 @@ def studio(problem: str) -> Iterator[Studio]:
 @contextmanager
 def chromium() -> Iterator[Any]:
     """Start the browser of this machine."""
+    from playwright.sync_api import sync_playwright  # an extra, which the tests of other parts do without
+
     with sync_playwright() as running:
         browser = running.chromium.launch(executable_path=browser_here(), args=list(FLAGS))
         try:
