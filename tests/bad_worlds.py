@@ -31,29 +31,13 @@ def surprising(_):
     raise Surprise
 
 
-def leaving(_):
-    sys.exit(3)
-
-
-def gone(_):
-    os._exit(7)
-
-
-def killed(_):
-    os.kill(os.getpid(), signal.SIGKILL)
-
-
-def hanging(_):
-    time.sleep(60)
-
-
 DEEDS = {
     "raising": raising,
     "surprising": surprising,
-    "leaving": leaving,
-    "gone": gone,
-    "killed": killed,
-    "hanging": hanging,
+    "leaving": lambda _: sys.exit(3),
+    "gone": lambda _: os._exit(7),
+    "killed": lambda _: os.kill(os.getpid(), signal.SIGKILL),
+    "hanging": lambda _: time.sleep(60),
     "nothing": lambda _: None,
     "nan": lambda made: replace(made, positions=made.positions * np.nan),
     "other target": lambda made: replace(made, target=3),

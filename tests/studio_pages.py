@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 import toy_relations
+import viser
 from places import SHIPPED
 from toy_domain import grounding, problem
 
@@ -17,6 +18,8 @@ from neurosym.stages.compilation import print_problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN
 from neurosym.studio.library import Library
+from neurosym.studio.page import Page
+from neurosym.studio.server import PANELS
 from neurosym.studio.session import Session
 from neurosym.studio.studio_workers import Workers
 from tools.benchmarks.studio.browser import BROWSERS, browser_here, wait_for
@@ -71,6 +74,18 @@ def session_on(library: Library, both: tuple[Workers, Workers]) -> Iterator[Sess
         yield session
     finally:
         session.close()
+
+
+@contextmanager
+def page_on(session: Session) -> Iterator[Page]:
+    """A page that nobody looks at."""
+    server = viser.ViserServer("127.0.0.1", 0, verbose=False)
+    page = Page(server, session, PANELS)
+    try:
+        yield page
+    finally:
+        page.close()
+        server.stop()
 
 
 def planned(session: Session, planner: str) -> None:

@@ -68,11 +68,7 @@ def total_cost(steps: tuple[PlanStep, ...]) -> int:
 
 
 PUSH, LEFT = PlanStep("push-away-001-block", "item-01"), PlanStep("push-left-000-block", "item-01")
-
-
 LIFT, DOWN = PlanStep("lift-010-block", "item-01"), PlanStep("put-down-lift-010-block", "item-01")
-
-
 PULL, TRAY_LEFT = PlanStep("pull-010-tray", "item-02"), PlanStep("push-left-000-tray", "item-02")
 
 

@@ -13,16 +13,6 @@ from neurosym.operators import Operator
 from neurosym.pddl import compile_domain
 
 
-def test_only_operators_worth_planning_with_are_live():
-    assert [operator.name for operator in grounding().live] == [
-        "lift-010-block",
-        "pull-010-tray",
-        "push-away-001-block",
-        "push-left-000-block",
-        "push-left-000-tray",
-    ]
-
-
 @pytest.mark.parametrize(
     ("trials", "effect", "seen", "reason"),
     [
@@ -49,15 +39,6 @@ def test_lift_and_put_down_come_to_the_resting_effect_at_table_height():
     assert np.add(up, down) == pytest.approx([0.0141, -0.0228, 0.0])
     cells = np.add(learned.cells(lift), learned.put_down_cells(lift))
     assert cells.tolist() == [3, -5, 0]  # 14.1 and -22.8 mm in cells of 5 mm
-
-
-def test_rounding_bounds_every_operator():
-    learned = grounding()
-    bound = tuple(map(max, *map(learned.rounding, learned.live)))
-    for operator in learned.live:
-        parts = zip(learned.displacement(operator), learned.cells(operator), bound, strict=True)
-        assert all(abs(part - cells * 0.005) <= limit + 1e-12 for part, cells, limit in parts)
-    assert max(bound) <= 0.0025 + 1e-12
 
 
 def test_grounding_survives_its_file_and_one_of_another_version_is_refused(tmp_path: Path):

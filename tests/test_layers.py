@@ -1,10 +1,12 @@
-"""Folders are the steps of the flow: imports point one way, and what is heavy stays behind its fence."""
+"""Folders are the steps of the flow, and the house stays one that a newcomer can hold."""
 
 import ast
 import subprocess
 import sys
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Collection
 from functools import cache
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -50,17 +52,8 @@ FENCES = {
 MAY_PRINT = ("commands/", "stages/")
 PRINTERS = ("neurosym.stages.console", "rich")
 """Modules that are imported for printing."""
-OPENERS = {
-    "open",
-    "fdopen",
-    "ZipFile",
-    "read_text",
-    "read_bytes",
-    "fromfile",
-    "memmap",
-    "safe_open",
-    "load_file",
-}
+OPENERS = {"open", "fdopen", "ZipFile", "read_text", "read_bytes", "fromfile", "memmap"}
+OPENERS |= {"safe_open", "load_file"}
 LOADERS = {"np", "numpy", "torch", "json", "pickle", "marshal", "tomllib"}
 OPENED_ELSEWHERE = {
     "data/archives.py": {"np.load": "what the door opened"},
@@ -181,36 +174,23 @@ def test_picture_of_the_folders_is_that_of_the_code():
         (wrong_arrows, "planners/bfs.py", "from neurosym.execution.executor import execute"),
         (without_layer, "utils/grid.py", ""),
         (without_layer, "pddl/deeper/grid.py", ""),
-        *(
-            (breaches, "pddl/grid.py", line.format(fence))
-            for fence in FENCES
-            for line in (
-                "import {0} as other",
-                "def f():\n    from {0}.x import y",
-                "__import__('{0}')",
-            )
-        ),
+        *((breaches, "pddl/grid.py", f"import {fence} as other") for fence in FENCES),
+        (breaches, "pddl/grid.py", "def f():\n    from torch.x import y"),
+        (breaches, "pddl/grid.py", "__import__('torch')"),
         (printing, "pddl/grid.py", "print('x')"),
         (printing, "pddl/grid.py", "from neurosym.stages.console import say"),
         (printing, "pddl/grid.py", "import sys\nsys.stdout.write('x')"),
         (printing, "pddl/grid.py", "import rich.table"),
-        *(
-            (past_the_door, "pddl/grid.py", line)
-            for line in ("open('x')", "Path('x').read_text()", "np.load('x')", "tomllib.loads('x')")
-        ),
-        (past_the_door, "pddl/grid.py", "torch.load('x')"),
-        (past_the_door, "pddl/grid.py", "x.open()"),
+        *((past_the_door, "pddl/grid.py", f"{call}('x')") for call in ("open", "np.load", "tomllib.loads")),
+        *((past_the_door, "pddl/grid.py", f"{call}()") for call in ("Path('x').read_text", "x.open")),
     ],
 )
 def test_what_is_out_of_order_is_noticed(
     tmp_path: Path, check: Callable[[Path], list[str]], name: str, line: str
 ):
-    files = {
-        "pddl/grid.py": "import math\n",
-        "problems.py": "",
-        "planners/bfs.py": "from neurosym.pddl.grid import cells\n",
-    }
-    for file, text in {"pddl/__init__.py": "", "planners/__init__.py": "", **files}.items():
+    files = dict.fromkeys(("pddl/__init__.py", "planners/__init__.py", "problems.py"), "")
+    files |= {"pddl/grid.py": "import math\n", "planners/bfs.py": "from neurosym.pddl.grid import cells\n"}
+    for file, text in files.items():
         (tmp_path / file).parent.mkdir(exist_ok=True)
         (tmp_path / file).write_text(text)
     assert [check(tmp_path) for check in CHECKS] == [[]] * len(CHECKS)
@@ -228,3 +208,46 @@ def test_import_loads_what_is_heavy_only_where_it_is_needed(statement: str):
     output = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     heavy = {*output.stdout.split()} & {"torch", "pybullet", "unified_planning"}
     assert heavy == ({"torch"} if "train" in statement else set())
+
+
+# Few rooms at the root, no circles, few stairs
+
+PATHS = [path for _, _, path in files_of(PACKAGE)]
+MOST_AT_ROOT, MOST_LINES, MOST_LEVELS = 14, 600, 30
+NO_NOUNS = {"own", "around", "among_others", "by_state", "in_turns", "saying", "telling", "asking"}
+
+
+def imports_of(path: Path, known: Collection[str]) -> set[str]:
+    """Which modules a file imports, anywhere in it."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            rooms = {f"{node.module}.{alias.name}" for alias in node.names} & set(known)
+            found |= rooms or {node.module}
+        elif isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+    return found & set(known)
+
+
+def test_root_holds_few_modules_and_none_is_long():
+    assert sum(path.parent == PACKAGE for path in PATHS) <= MOST_AT_ROOT
+    lengths = {str(path): len(path.read_text().splitlines()) for path in PATHS}
+    assert {name: lines for name, lines in lengths.items() if lines > MOST_LINES} == {}
+
+
+def test_imports_make_no_circle_and_few_levels():
+    """In the longest chain of imports so many modules stand on one another; the lazy door is left out."""
+    named = {".".join(("neurosym", *path.relative_to(PACKAGE).with_suffix("").parts)): path for path in PATHS}
+    known = {name.removesuffix(".__init__"): path for name, path in named.items()}
+    del known["neurosym"]
+    imports = {name: imports_of(path, known) - {name} for name, path in known.items()}
+    depth = dict[str, int]()
+    for name in TopologicalSorter(imports).static_order():
+        depth[name] = 1 + max((depth[other] for other in imports[name]), default=0)
+    assert max(depth.values()) <= MOST_LEVELS
+
+
+def test_every_module_has_a_name_of_its_own_that_is_a_noun():
+    names = [path.stem for path in PATHS if path.stem != "__init__"]
+    assert [name for name, count in Counter(names).items() if count > 1] == []
+    assert not NO_NOUNS & set(names)

@@ -20,30 +20,21 @@ from neurosym.tasks.transition import PlanStep, validate
 AWAY = "push-away-001-block"
 
 
-def rehearsed(count: int = 40, slips: float = 0.0, cliff: float = math.inf) -> Grounding:
+def rehearsed(count: int = 40, cliff: float = math.inf) -> Grounding:
     """Have blocks of 4 to 10 cm go away by as much as they are wide, and fail from a width on."""
-    learned = tables.grounding()
-    rng = np.random.default_rng(0)
-    widths = rng.uniform(0.04, 0.1, count)
-    rows = []
-    for width in widths.tolist():
-        away = (width + float(rng.normal(0, slips)), 0.0, 0.0)
-        kind = "toppled" if width > cliff else "resting"
-        rows.append(Rehearsal(kind, away, away, 0.0, 0.0))
+    learned, replace = tables.grounding(), msgspec.structs.replace
+    widths = np.random.default_rng(0).uniform(0.04, 0.1, count).tolist()
+    objects = tuple((width, 0.05, 0.05, 0.0) for width in widths)
+    away = [(("toppled" if width > cliff else "resting"), (width, 0.0, 0.0)) for width in widths]
+    rows = tuple(Rehearsal(kind, by, by, 0.0, 0.0) for kind, by in away)
     table = learned.operators
     categories = tuple(
-        msgspec.structs.replace(one, objects=tuple((w, 0.05, 0.05, 0.0) for w in widths.tolist()))
-        if one.symbol == "00"
-        else one
-        for one in table.categories
+        replace(one, objects=objects) if one.symbol == "00" else one for one in table.categories
     )
     operators = tuple(
-        msgspec.structs.replace(one, rehearsals=tuple(rows), trials=count) if one.name == AWAY else one
-        for one in table.operators
+        replace(one, rehearsals=rows, trials=count) if one.name == AWAY else one for one in table.operators
     )
-    return msgspec.structs.replace(
-        learned, operators=msgspec.structs.replace(table, categories=categories, operators=operators)
-    )
+    return replace(learned, operators=replace(table, categories=categories, operators=operators))
 
 
 def block(width: float) -> SceneObject:

@@ -4,7 +4,6 @@ import io
 import json
 import os
 import shutil
-import socket
 import struct
 import subprocess
 import sys
@@ -33,20 +32,6 @@ READERS = {
 """What reads each kind of file; other networks and the state of an exploration are read as the model is."""
 
 
-def pipe(path: Path) -> None:
-    os.mkfifo(path)
-
-
-def socket_at(path: Path) -> None:
-    here = Path.cwd()
-    os.chdir(path.parent)  # names of sockets are short
-    try:
-        with socket.socket(socket.AF_UNIX) as made:
-            made.bind(path.name)
-    finally:
-        os.chdir(here)
-
-
 def text(content: str | bytes) -> Callable[[Path], None]:
     return lambda path: path.write_bytes(content if isinstance(content, bytes) else content.encode())
 
@@ -57,8 +42,7 @@ def huge(path: Path) -> None:
 
 
 DAMAGES: dict[str, Callable[[Path], object]] = {
-    "a named pipe": pipe,
-    "a socket": socket_at,
+    "a named pipe": os.mkfifo,
     "an endless device": lambda path: path.symlink_to("/dev/zero"),
     "a folder": Path.mkdir,
     "a link to nowhere": lambda path: path.symlink_to("nowhere"),
@@ -77,6 +61,8 @@ DAMAGES: dict[str, Callable[[Path], object]] = {
     "a header without end": text(struct.pack("<Q", 2**63) + b"{" * 100),
     "a header of brackets": text(struct.pack("<Q", 20_000) + b"[" * 20_000),
     "an empty archive": lambda path: zipfile.ZipFile(path, "w").close(),
+    "an array": lambda path: path.write_bytes(array_file(header("(3,)"), bytes(12))),
+    "a pickle": text(b"\x80\x04K\x01."),
 }
 
 

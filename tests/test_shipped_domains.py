@@ -1,13 +1,14 @@
-"""Domains as they are shipped: complete, true to their record, taken unchanged by others, run again."""
+"""Domains as they are shipped: complete, true to their record, taken by others, run again, copied."""
 
+import errno
+import shutil
 from functools import cache
 
 import pytest
 from places import ROOT
 
-from neurosym.choices import DOMAINS
-from neurosym.execution.performance import compare_runs, rerun
-from neurosym.execution.record import Run
+from neurosym.choices import DOMAINS, copy_shipped, shipped_domain
+from neurosym.errors import CannotWrite
 from neurosym.files import digest, read_json
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
@@ -21,7 +22,6 @@ from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.plan_records import PlanRecord, recorded_plans
 from neurosym.tasks.task import is_reached
 from neurosym.tasks.transition import validate
-from neurosym.worlds.world_file import read_world
 
 TASKS = {
     "tabletop": (1, 8, {"task"}),
@@ -95,24 +95,35 @@ def test_fast_downward_takes_the_files_unchanged_and_agrees_with_the_record(name
         assert validate(result.steps, problem, grounding).valid
 
 
-@pytest.mark.parametrize("name", ["places", "towers"])
-def test_run_happens_again(name):
-    folder, again = folder_of(name), 0
-    for path in sorted((folder / "runs").glob("*.fast-downward.run.json")):
-        run, problem = read_json(path, Run), problems_of(name)[path.name.split(".")[0]]
-        if run.reached and again < 2:
-            made = rerun(read_world(folder / "world.toml")(), problem, grounding_of(name), run)
-            assert compare_runs(run, made).course != "another"
-            again += 1
-    assert again == 2
+# They are copied whole or not at all
 
 
-def test_towers_know_of_places_what_places_know():
-    here, there = folder_of("towers"), folder_of("places")
-    for file in ("effect_model.safetensors", "primitives.json", "places/operators.json"):
-        assert digest(here / file) == digest(there / file)
-    for name in ("anywhere-2-04", "swap-2-07"):
-        problem = problems_of("places")[name]
-        found, elsewhere = (plan(problem, grounding_of(one)) for one in ("towers", "places"))
-        assert found.status is PlanStatus.SOLVED
-        assert found.steps == elsewhere.steps
+@pytest.mark.parametrize("name", DOMAINS)
+def test_copy_has_what_a_user_needs_and_nothing_that_is_made_again(name, tmp_path):
+    assert copy_shipped(name, tmp_path / "mine")
+    copied, shipped = (folder / "grounding.json" for folder in (tmp_path / "mine", shipped_domain(name)))
+    assert copied.read_bytes() == shipped.read_bytes()
+    assert not {"plans", "runs", "pictures"} & {path.name for path in (tmp_path / "mine").iterdir()}
+
+
+def test_other_names_are_no_shipped_domains_and_a_folder_that_is_there_stays_as_it_is(tmp_path):
+    assert not copy_shipped("kitchen", tmp_path / "mine")
+    assert list(tmp_path.iterdir()) == []
+    (tmp_path / "mine").mkdir()
+    assert copy_shipped("tabletop", tmp_path / "mine")
+    assert list((tmp_path / "mine").iterdir()) == []
+
+
+def test_disk_that_is_full_half_way_leaves_nothing(tmp_path, monkeypatch):
+    copied, real = [], shutil.copyfile
+
+    def copyfile(source, target, **options):
+        copied.append(target)
+        if len(copied) == 3:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return real(source, target, **options)
+
+    monkeypatch.setattr(shutil, "copyfile", copyfile)
+    with pytest.raises(CannotWrite, match="mine cannot be written: No space left on device"):
+        copy_shipped("tabletop", tmp_path / "mine")
+    assert list(tmp_path.iterdir()) == []

@@ -21,11 +21,14 @@ LEARN = ["--steps", "128", "--seed", "7", "--regime", "quick", "--rehearsals", "
 LEARN += ["--action-bits", "1", "--choice", "lowest-error"]  # two primitives, and no auditions
 
 
+def command(folder: Path) -> list[str]:
+    return [sys.executable, "-m", "neurosym", "run", str(folder), *LEARN]
+
+
 def run(folder: Path) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "neurosym", "run", str(folder), *LEARN]
     (folder.parent / "temporary").mkdir(exist_ok=True)
     environment = {**os.environ, "TMPDIR": str(folder.parent / "temporary")}
-    return subprocess.run(command, capture_output=True, text=True, timeout=1200, env=environment)
+    return subprocess.run(command(folder), capture_output=True, text=True, timeout=1200, env=environment)
 
 
 @pytest.fixture(scope="module")
@@ -36,10 +39,8 @@ def folder(tmp_path_factory) -> Path:
     world = path / "world.toml"
     coarse = re.sub(r"^time_step = .*$", "time_step = 0.00833", world.read_text(), flags=re.MULTILINE)
     world.write_text(coarse)  # half the physics; the default is simulated by all other tests
-    command = [sys.executable, "-m", "neurosym", "run", str(path), *LEARN]
-    first = subprocess.Popen(
-        command, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE
-    )
+    pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE}
+    first = subprocess.Popen(command(path), start_new_session=True, **pipes)
     deadline = time.monotonic() + 300
     while not (path / "interactions.npz").exists() and time.monotonic() < deadline:
         assert first.poll() is None, first.stderr.read() if first.stderr else ""

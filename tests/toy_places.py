@@ -5,7 +5,6 @@ import toy_domain
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
 from neurosym.pair_operators import Kept, PlaceOperators
-from neurosym.pddl import compile_domain
 from neurosym.problems import Problem, SceneObject
 
 CARRY = (0, 0, 0, 1.0, 0.01, 0, 0, 0.0, 0.03, -0.02, 0, 0.0)
@@ -28,25 +27,12 @@ def grounding(cell: float = 0.02) -> Grounding:
         (Operator(NAME, "00", "01", 20, (carried,)), Operator("miss-01-slab", "11", "01", 20, (missed,))),
     )
     pushes = tuple(
-        Operator(
-            f"push-{way}-{symbol}-slab",
-            "11",
-            symbol,
-            20,
-            (Mode("resting", 20, 1.0, by, nothing, by, nothing, 0.0, 20),),
-        )
+        toy_domain.operator(f"push-{way}-{symbol}-slab", symbol, by, category="11")
         for way, symbol, by in (("left", "001", (0.0, 0.08, 0.0)), ("forward", "010", (0.08, 0.0, 0.0)))
     )
     primitives = (Primitive("001", toy_domain.LEFT, 0.0), Primitive("010", toy_domain.FORWARD, 0.0))
-    world = toy_domain.WORLD
-    return compile_domain(
-        OperatorTable((cube, slab), primitives, pushes),
-        name="toy",
-        cell=cell,
-        table_bounds=world.table,
-        lift_height=world.lift_height,
-        places=PlaceOperators(carriers, (Kept(NAME, 10, 0),)),
-    )
+    places = PlaceOperators(carriers, (Kept(NAME, 10, 0),))
+    return toy_domain.compiled(OperatorTable((cube, slab), primitives, pushes), cell, places=places)
 
 
 def scene(*objects: tuple[str, float, float]) -> tuple[SceneObject, ...]:

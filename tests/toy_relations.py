@@ -5,6 +5,7 @@ stand on nothing.
 """
 
 import msgspec
+import toy_domain
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
@@ -16,7 +17,6 @@ from neurosym.pair_operators import (
     RelationOperator,
     RelationOperators,
 )
-from neurosym.pddl import compile_domain
 from neurosym.problems import Problem, SceneObject
 from neurosym.world import World
 from neurosym.worlds.toy_relations import ToyRelations
@@ -76,20 +76,11 @@ def grounding(world: World = WORLD) -> Grounding:
         for category in categories
     )
     carriers = OperatorTable(categories, (Primitive("01", CARRY, 0.0),), operators)
-    return compile_domain(
-        OperatorTable(categories, (), ()),
-        name=world.name,
-        cell=0.02,
-        table_bounds=world.table,
-        lift_height=world.lift_height,
-        places=PlaceOperators(
-            carriers,
-            tuple(Kept(one.name, 10, 0) for one in operators),
-            borne=tuple(Kept(one.name, 10, 9) for one in operators),
-            laden=tuple(Kept(one.name, 10, 9) for one in operators),
-        ),
-        relations=relations(),
-    )
+    nearly_always = tuple(Kept(one.name, 10, 9) for one in operators)
+    never = tuple(Kept(one.name, 10, 0) for one in operators)
+    places = PlaceOperators(carriers, never, borne=nearly_always, laden=nearly_always)
+    empty = OperatorTable(categories, (), ())
+    return toy_domain.compiled(empty, 0.02, world, places=places, relations=relations())
 
 
 def scene(*objects: tuple[str, float, float] | tuple[str, float, float, float]) -> tuple[SceneObject, ...]:
@@ -127,20 +118,10 @@ def sorting() -> Problem:
 
 def relearned(name: str, learned: Grounding | None = None, **changes: int) -> Grounding:
     """Return the domain after other rehearsals of one operator, given as how many of 10 were kept."""
-    learned = learned or grounding()
-    assert learned.relations is not None
-    operators = tuple(
-        msgspec.structs.replace(
-            one,
-            **{
-                case: msgspec.structs.replace(getattr(one, case), trials=10, kept=kept)
-                for case, kept in changes.items()
-            },
-        )
-        if one.name == name
-        else one
-        for one in learned.relations.operators
-    )
-    return msgspec.structs.replace(
-        learned, relations=msgspec.structs.replace(learned.relations, operators=operators)
-    )
+    learned, replace = learned or grounding(), msgspec.structs.replace
+    table = learned.relations
+    assert table is not None
+    one = next(one for one in table.operators if one.name == name)
+    cases = {case: replace(getattr(one, case), trials=10, kept=kept) for case, kept in changes.items()}
+    operators = tuple(replace(other, **cases) if other is one else other for other in table.operators)
+    return replace(learned, relations=replace(table, operators=operators))

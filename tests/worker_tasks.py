@@ -1,12 +1,13 @@
-"""Work for worker processes."""
+"""Work for worker processes, first steps that are refused, and worlds that nobody can act in."""
 
 import os
+import sys
 import time
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from neurosym.errors import InvalidFile
 from neurosym.worlds.toy import ToyWorld, make_world
 from neurosym.worlds.workers import Task
 
@@ -18,7 +19,6 @@ def some_tasks(count):
         yield Task(world.sample_scene(rng, 1), world.action_box.sample(rng, 1)[0])
 
 
-@dataclass
 class Deadly(ToyWorld):
     """A toy world that ends every process that an interaction is tried in."""
 
@@ -29,7 +29,6 @@ class Deadly(ToyWorld):
         os._exit(1)
 
 
-@dataclass
 class Hanging(ToyWorld):
     """A toy world in which an interaction takes a minute; it says in which process."""
 
@@ -39,3 +38,19 @@ class Hanging(ToyWorld):
     def interact(self, *arguments, **options):  # noqa: ARG002, D102
         Path(f"{os.environ['NEUROSYM_TEST_STARTED']}-{os.getpid()}").touch()
         time.sleep(60)
+
+
+def is_up():
+    """Say something where errors are printed, and return which process this is."""
+    print("seen", file=sys.stderr)
+    return os.getpid()
+
+
+def refused():
+    """Do what a worker does first whose memory does not suffice."""
+    raise InvalidFile(Path("effect_model.safetensors"), "there is not enough memory to read it")
+
+
+def unreadable():
+    """Return what cannot be pickled."""
+    return lambda: None

@@ -4,7 +4,6 @@ import sys
 
 import pytest
 
-from tools.benchmarks import foreign
 from tools.benchmarks.foreign import Task, called, judged, plan_in
 from tools.benchmarks.foreign_calls.planners import PLANNERS, error_in, steps_in
 
@@ -76,11 +75,3 @@ def test_planner_is_ended_with_what_it_started(tmp_path):
     assert 0 < cpu < 4
     assert clock < 30
     assert called(["bash", "-c", "exit 3"], tmp_path, 1)[2] == 3
-
-
-def test_call_that_was_measured_is_not_made_again(monkeypatch):
-    words, planner = ["bash", "-c", "echo '(move cup here there c15)' > plan"], PLANNERS["Kairos"]
-    first = foreign.measured(planner, printed(), words, 5)
-    assert (first["status"], first["cost"]) == ("solved", 3)
-    monkeypatch.setattr(foreign, "called", None)
-    assert foreign.measured(planner, printed(), words, 5, first) == first

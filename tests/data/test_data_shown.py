@@ -8,10 +8,7 @@ from own_data import own_columns, write_data
 from toy_domain import LIFT, WORLD, problem
 
 from neurosym.data.interactions import Interactions
-from neurosym.data.origin import LEAST_INTERACTIONS, mirrors_of, training_problems
-from neurosym.exploration.loop import origin_of_world
-from neurosym.world import Mirror
-from neurosym.worlds.toy import make_world
+from neurosym.data.origin import LEAST_INTERACTIONS, training_problems
 
 
 def test_check_shows_good_data_and_what_to_type_next(tmp_path, capsys):
@@ -99,15 +96,6 @@ def test_integers_flags_as_numbers_and_bounds_of_the_box_are_valid_and_the_rest_
     assert all(again.columns[name].tobytes() == column.tobytes() for name, column in data.columns.items())
     assert again.origin == box
     assert json.loads(str(np.load(tmp_path / "again.npz")["origin"]))["format"] == "neurosym-interactions-1"
-
-
-def test_mirrors_of_a_data_set_are_read_and_those_of_an_exploration_are_its_worlds(tmp_path):
-    given = [{"actions": [0, 2], "effects": [0]}, {"actions": [1], "effects": []}]
-    data = Interactions.load(write_data(tmp_path, own_columns(), {"mirrors": given}))
-    assert mirrors_of(data.origin) == (Mirror((0, 2), (0,)), Mirror((1,), ()))
-    assert mirrors_of({}) == ()
-    world = make_world()
-    assert mirrors_of(json.loads(json.dumps(origin_of_world(world)))) == world.action_box.mirrors
 
 
 def test_rows_hold_what_each_outcome_says_of_its_target():

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from command_line import contents, neurosym, refusal
+from documents import python_blocks
 from own_data import own_columns, write_data
 from places import DOCS
 
@@ -16,18 +17,11 @@ from neurosym.learning.network import DirectModel, EffectModel
 from neurosym.learning.training_config import DirectConfig, ModelConfig
 from neurosym.operators import OperatorTable
 
-DOCUMENT = DOCS / "data.md"
+(EXAMPLE,) = python_blocks("data.md")
+"""The script that the document shows."""
+COMMANDS = re.findall(r"^\$ neurosym (.*)$", (DOCS / "data.md").read_text(), re.MULTILINE)
+"""What the document types after `neurosym`."""
 OTHER_GRIPPER = EffectModel(Dimensions(7, 5, 2, (1,)), ModelConfig(hidden=8))
-
-
-def example() -> str:
-    """The script that the document shows."""
-    return re.search(r"```python\n(.*?)```", DOCUMENT.read_text(), re.DOTALL)[1]
-
-
-def commands() -> list[list[str]]:
-    """What the document types after `neurosym`."""
-    return [line.split() for line in re.findall(r"^\$ neurosym (.*)$", DOCUMENT.read_text(), re.MULTILINE)]
 
 
 @pytest.fixture(scope="module")
@@ -36,8 +30,8 @@ def learned(tmp_path_factory):
     place = tmp_path_factory.mktemp("document")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(place)
-        exec(example(), {})
-        for command, *rest in commands():
+        exec(EXAMPLE, {})
+        for command, *rest in map(str.split, COMMANDS):
             quick = ["--regime", "quick"] if command == "train" else []
             assert neurosym(command, *rest, *quick) == 0
     return place / "discs"
@@ -50,8 +44,8 @@ def discs(learned, tmp_path):
 
 
 def test_the_documents_example_is_learned_through_the_bits(learned):
-    assert [command for command, *_ in commands()] == ["check", "train", "distill"]
-    assert len(example().splitlines()) <= 18
+    assert [typed.split()[0] for typed in COMMANDS] == ["check", "train", "distill"]
+    assert len(EXAMPLE.splitlines()) <= 18
     report = json.loads((learned / "training.json").read_text())
     assert report["r2_through_codes"] > 0.8
     assert len(report["mae"]["model"]) == 2

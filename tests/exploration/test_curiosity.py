@@ -9,7 +9,6 @@ from toy_learning import toy_data
 
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import Dimensions
-from neurosym.errors import InvalidValue
 from neurosym.exploration.curiosity import LearningConfig, make_curiosity
 from neurosym.exploration.loop import ExplorationConfig, choose_action
 from neurosym.learning.training_config import ModelConfig
@@ -32,25 +31,17 @@ def some_data():
     return replace(toy_data(200), origin={})
 
 
-def naive_entropy(curiosity, features, candidate):
-    """Algorithm 1, lines 5-9."""
-    _, variance = curiosity.networks[0].predict(features, candidate[None])
-    return sum(0.5 * np.log(2 * np.pi * np.e * v) for v in variance[0]) / 3
+def naive_score(about, networks, features, candidate):
+    """Algorithm 1, lines 5-9; or the variance of answers, each axis in units of its standard deviation."""
+    answers = [network.predict(features, candidate[None]) for network in networks]
+    if about == "entropy":
+        ((_, variance),) = answers
+        return np.mean(0.5 * np.log(2 * np.pi * np.e * variance))
+    scaled = [one[0] / network.effect_std.numpy() for one, network in zip(answers, networks, strict=True)]
+    return np.var(scaled, axis=0).mean()
 
 
-def naive_disagreement(curiosity, features, candidate):
-    """The variance of what the networks say, each axis in units of its standard deviation."""
-    total = 0.0
-    for axis in range(3):
-        answers = [
-            float(network.predict(features, candidate[None])[0, axis] / network.effect_std[axis])
-            for network in curiosity.networks
-        ]
-        total += sum((answer - sum(answers) / len(answers)) ** 2 for answer in answers) / len(answers)
-    return total / 3
-
-
-NAIVE = {"entropy": naive_entropy, "disagreement": naive_disagreement}
+NAIVE = ("entropy", "disagreement")
 
 
 def naive_pick(about, scores, rng):
@@ -71,7 +62,7 @@ def test_curiosity_chooses_what_a_naive_loop_over_the_candidates_chooses(about, 
         task = choose_action(make_world(), curiosity, CONFIG, 7, number)
         rng = np.random.default_rng([7, number])
         scene, candidates = drawn_with(rng)
-        scores = [NAIVE[about](curiosity, scene.features, candidate) for candidate in candidates]
+        scores = [naive_score(about, curiosity.networks, scene.features, one) for one in candidates]
         np.testing.assert_array_equal(task.action, candidates[naive_pick(about, scores, rng)])
         np.testing.assert_array_equal(task.scene.positions, scene.positions)
 
@@ -82,16 +73,6 @@ def test_disagreement_of_networks_draws_in_proportion_and_never_what_they_agree_
     counts = np.bincount([disagreement.pick(variances, rng) for _ in range(20_000)], minlength=5)
     np.testing.assert_allclose(counts / 20_000, [0, 0.1, 0.3, 0, 0.6], atol=0.01)
     assert disagreement.pick(np.zeros(3), rng) in range(3)  # they agree on everything
-
-
-def test_networks_that_shall_disagree_begin_differently_and_those_of_a_seed_alike():
-    one, again, other = curious("disagreement"), curious("disagreement"), curious("disagreement", seed=1)
-    names = [name for name in one.state() if name.startswith("0/") and name.endswith("1.weight")]
-    assert names
-    for name in names:
-        assert not np.array_equal(one.state()[name], one.state()[name.replace("0/", "1/", 1)])
-        assert np.array_equal(one.state()[name], again.state()[name])
-        assert not np.array_equal(one.state()[name], other.state()[name])
 
 
 @pytest.mark.parametrize("about", NAIVE)
@@ -148,19 +129,3 @@ def test_disagreement_falls_where_only_luck_decides_and_entropy_stays():
     (few, _), (many, elsewhere) = (unknown_of("entropy", rows) for rows in (200, 4000))
     assert many > few - 0.3
     assert many > elsewhere + 1.0
-
-
-@pytest.mark.parametrize(
-    ("kind", "option"),
-    [
-        (LearningConfig, {"epochs": 0}),
-        (LearningConfig, {"learning_rate": 0.0}),
-        (LearningConfig, {"ensemble": 1}),
-        (LearningConfig, {"clip_norm": -1.0}),
-        (ExplorationConfig, {"candidates": 0}),
-        (ExplorationConfig, {"block": 0}),
-    ],
-)
-def test_impossible_options_are_refused(kind, option):
-    with pytest.raises(InvalidValue, match=next(iter(option))):
-        kind(**option)

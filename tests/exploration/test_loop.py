@@ -34,13 +34,6 @@ def bytes_of(folder, **options):
     return (folder / "interactions.npz").read_bytes(), (folder / STATE_FILE).read_bytes()
 
 
-def state_after(folder, **options):
-    """Explore, and return the arrays of the networks."""
-    folder.mkdir(exist_ok=True)
-    run(checkpoint=folder, **options)
-    return read_tensors(folder / STATE_FILE, FORMAT)[0]
-
-
 @pytest.mark.parametrize("strategy", [*STRATEGIES, "curiosity"])
 def test_every_strategy_makes_the_interactions_asked_for(strategy, tmp_path):
     interactions, meant = run(strategy=strategy, checkpoint=tmp_path), own_name(strategy)
@@ -64,8 +57,12 @@ def test_one_worker_and_two_give_the_same_bytes(strategy, tmp_path):
 
 @pytest.mark.parametrize("strategy", CURIOUS)
 def test_a_run_interrupted_between_blocks_resumes_to_the_same_bytes(strategy, tmp_path):
+    def stop(done, steps):
+        if done >= 95:
+            raise KeyboardInterrupt
+
     with pytest.raises(KeyboardInterrupt):
-        run(strategy=strategy, checkpoint=tmp_path, progress=_stop_after(95))
+        run(strategy=strategy, checkpoint=tmp_path, progress=stop)
     assert bytes_of(tmp_path, strategy=strategy) == bytes_of(tmp_path / "whole", strategy=strategy)
 
 
@@ -85,19 +82,6 @@ def test_a_finished_run_is_not_made_again_and_can_be_extended(tmp_path):
     assert bytes_of(tmp_path) == bytes_of(tmp_path / "whole")
     with pytest.raises(InvalidValue, match="already holds 80"):
         run(steps=50, checkpoint=tmp_path)
-
-
-@pytest.mark.parametrize("strategy", CURIOUS)
-def test_networks_do_not_learn_from_a_block_that_is_not_whole(strategy, tmp_path):
-    before = state_after(tmp_path / "39", strategy=strategy, steps=39)
-    after = state_after(tmp_path / "40", strategy=strategy, steps=40)
-    more = state_after(tmp_path / "79", strategy=strategy, steps=79)
-    assert not any("/adam/" in name for name in before)
-    assert np.all(before["0/model/effect_std"] == 1)
-    assert any("/adam/" in name for name in after)
-    assert np.all(after["0/model/effect_std"] < 0.5)
-    assert after.keys() == more.keys()
-    assert all(np.array_equal(after[name], more[name]) for name in after)
 
 
 @pytest.mark.parametrize(
@@ -130,15 +114,6 @@ def begun(kept, tmp_path):
     return Path(shutil.copytree(kept["disagreement"], tmp_path / "begun"))
 
 
-@pytest.mark.parametrize("file", [INTERACTIONS_FILE, STATE_FILE])
-def test_a_damaged_checkpoint_is_refused_by_name(file, begun):
-    path = begun / file
-    for content in (b"damaged", path.read_bytes()[: path.stat().st_size // 2]):
-        path.write_bytes(content)
-        with pytest.raises(InvalidFile, match=file):
-            run(checkpoint=begun)
-
-
 def test_a_state_without_its_interactions_or_with_those_of_another_is_refused(begun, tmp_path):
     (tmp_path / "other").mkdir()
     run(steps=40, checkpoint=tmp_path / "other", seed=4)
@@ -150,20 +125,8 @@ def test_a_state_without_its_interactions_or_with_those_of_another_is_refused(be
         run(checkpoint=begun)
 
 
-@pytest.mark.parametrize(
-    "changes", [{"blocks": "x"}, {"blocks": None}, {"blocks": 1.5}, {"blocks": -1}, {"options": [1]}]
-)
-def test_a_state_that_does_not_say_what_it_is_is_refused(changes, begun):
-    arrays, description = read_tensors(begun / STATE_FILE, FORMAT)
-    write_tensors(begun / STATE_FILE, FORMAT, arrays, description | changes)
-    with pytest.raises(InvalidFile, match="does not say"):
-        run(checkpoint=begun)
-
-
-def without(*parts):
-    return lambda arrays: {
-        name: array for name, array in arrays.items() if not any(part in name for part in parts)
-    }
+def without(part):
+    return lambda arrays: {name: array for name, array in arrays.items() if part not in name}
 
 
 def cut_short(part):
@@ -176,27 +139,20 @@ def cut_short(part):
 @pytest.mark.parametrize(
     "damage",
     [
-        without(""),
-        without("0/model"),
-        without("0/adam"),
-        without("exp_avg_sq"),
-        without("effect_std"),
-        cut_short("weight"),
-        cut_short("exp_avg"),
+        *({"blocks": blocks} for blocks in ("x", None, 1.5, -1)),
+        {"options": [1]},
+        *map(without, ("", "0/model", "0/adam", "exp_avg_sq", "effect_std")),
+        *map(cut_short, ("weight", "exp_avg")),
         lambda arrays: {**arrays, "what": np.zeros(1)},
     ],
 )
-def test_a_checkpoint_with_other_weights_is_refused(strategy, damage, kept, tmp_path):
+def test_a_state_that_does_not_say_what_it_is_or_has_other_weights_is_refused(
+    strategy, damage, kept, tmp_path
+):
     shutil.copytree(kept[strategy], tmp_path, dirs_exist_ok=True)
     arrays, description = read_tensors(tmp_path / STATE_FILE, FORMAT)
-    write_tensors(tmp_path / STATE_FILE, FORMAT, damage(arrays), description)
-    with pytest.raises(InvalidFile, match="weights do not fit"):
+    is_told = not callable(damage)
+    changed = (arrays, description | damage) if is_told else (damage(arrays), description)
+    write_tensors(tmp_path / STATE_FILE, FORMAT, *changed)
+    with pytest.raises(InvalidFile, match="does not say" if is_told else "weights do not fit"):
         run(strategy=strategy, checkpoint=tmp_path)
-
-
-def _stop_after(count):
-    def progress(done, steps):
-        if done >= count:
-            raise KeyboardInterrupt
-
-    return progress

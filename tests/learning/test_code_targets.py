@@ -1,17 +1,17 @@
 """What codes stand for at first: planted blocks are found, and codes one bit apart are alike."""
 
 from dataclasses import replace
-from itertools import combinations, permutations
+from itertools import combinations, permutations, product
 
 import numpy as np
 import torch
 from toy_learning import BRIEF
 
 from neurosym.data.origin import Dimensions
-from neurosym.learning.coclustering import cocluster, gray_order, nearest, profiles
+from neurosym.learning.coclustering import cocluster, gray_order
 from neurosym.learning.losses import Samples
 from neurosym.learning.network import DirectModel
-from neurosym.learning.recipes import _costs, _some_of_each, find_code_targets
+from neurosym.learning.recipes import _some_of_each, find_code_targets
 from neurosym.learning.training_config import ModelConfig
 
 ALONG_ACTIONS = torch.tensor([[0.0, 0.0], [0.0, 3.0], [2.0, 0.0], [5.0, 5.0]])
@@ -58,24 +58,6 @@ def test_planted_kinds_of_action_and_object_each_get_a_code():
     assert torch.equal(object_codes, is_positive) or torch.equal(object_codes, 1 - is_positive)
 
 
-def test_costs_agree_with_a_naive_computation():
-    rng = np.random.default_rng(1)
-    table, effects = rng.normal(size=(5, 9, 3)), rng.normal(size=(4, 2, 3))
-    codes, whole = np.array([0, 1, 1, 0, 0, 1, 1, 1, 0]), np.array([0, 0, 0, 1])
-    costs = np.zeros((5, 4))
-    for row in range(5):
-        for name in range(4):
-            for code, share in ((0, 0.75), (1, 0.25)):
-                members = [table[row, column] for column in range(9) if codes[column] == code]
-                mean = sum(members) / len(members)
-                costs[row, name] += share * sum(
-                    (mean[axis] - effects[name, code, axis]) ** 2 for axis in range(3)
-                )
-        costs[row] -= min(costs[row])
-    expected = costs / costs.mean()
-    np.testing.assert_allclose(_costs(table, effects, codes, whole), expected, rtol=1e-5)
-
-
 def test_equally_many_of_each_kind_are_asked_even_of_a_rare_one():
     labels = np.array([0] * 50 + [1] + [3] * 9)
     chosen = _some_of_each(labels, 24, np.random.default_rng(0))
@@ -110,32 +92,10 @@ def test_the_error_is_the_distance_to_block_means():
     rng = np.random.default_rng(1)
     table, _, _ = planted(rng, noise=0.5)
     found = cocluster(table, 3, 2, rng)
-    total = 0.0
-    for r in range(3):
-        for c in range(2):
-            block = table[found.rows == r][:, found.columns == c].reshape(-1, 3)
-            total += ((block - block.mean(0)) ** 2).sum() if len(block) else 0
+    kinds = product(range(3), range(2))
+    blocks = [table[found.rows == r][:, found.columns == c].reshape(-1, 3) for r, c in kinds]
+    total = sum(((block - block.mean(0)) ** 2).sum() for block in blocks if len(block))
     np.testing.assert_allclose(found.error, total / (120 * 30))
-
-
-def test_profiles_keep_the_distances_between_block_means():
-    rng = np.random.default_rng(2)
-    columns = np.repeat([0, 1], [10, 20])
-    table = rng.normal(size=(5, 2, 3))[:, columns]  # constant within each kind of column
-    described = profiles(table, columns, 2)
-    for a in range(5):
-        for b in range(5):
-            expected = ((table[a] - table[b]) ** 2).sum(1).mean()
-            np.testing.assert_allclose(((described[a] - described[b]) ** 2).sum(), expected, atol=1e-9)
-
-
-def test_nearest_agrees_with_every_distance_computed():
-    rng = np.random.default_rng(3)
-    points, centres = rng.normal(size=(40, 5)), rng.normal(size=(6, 5))
-    labels, squares = nearest(points, centres)
-    distances = ((points[:, None] - centres) ** 2).sum(2)
-    np.testing.assert_array_equal(labels, distances.argmin(1))
-    np.testing.assert_allclose(squares, distances.min(1), atol=1e-9)
 
 
 def test_gray_order_is_the_best_of_all_orders_of_four_and_no_swap_helps_among_more():

@@ -1,5 +1,7 @@
 """Both networks: what they are shown and say, in which units, and that their files give them back."""
 
+import re
+
 import numpy as np
 import pytest
 import torch
@@ -7,21 +9,16 @@ from safetensors.numpy import save_file
 
 from neurosym.data.archives import read_tensors, write_tensors
 from neurosym.data.origin import Dimensions
-from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.errors import InvalidFile
 from neurosym.learning.network import (
     LOG_VARIANCE_FLOOR,
     DirectModel,
     EffectModel,
     InputNorm,
     as_signs,
-    reflected,
     with_gripper_states,
 )
 from neurosym.learning.training_config import DirectConfig, ModelConfig
-from neurosym.operators import all_symbols, signs
-from neurosym.world import Mirror
-
-MIRRORS = (Mirror(actions=(0, 4), effects=(0,)), Mirror(actions=(1, 4), effects=(1, 2)))
 
 
 def made(kind, config, seed, dimensions):
@@ -67,16 +64,6 @@ def test_predictions_of_the_direct_model_are_in_metres(peaks):
     np.testing.assert_allclose(standard, standardised[:, :3], rtol=1e-5)
 
 
-def test_predictions_of_the_effect_model_are_in_metres():
-    model, other = an_effect_model(), an_effect_model()
-    other.effect_mean.copy_(model.effect_mean * 10)
-    other.effect_std.copy_(model.effect_std * 10)
-    mean, variance = model.predict(*inputs(5))
-    scaled_mean, scaled_variance = other.predict(*inputs(5))
-    np.testing.assert_allclose(scaled_mean, mean * 10, rtol=1e-4)
-    np.testing.assert_allclose(scaled_variance, variance * 100, rtol=1e-4)
-
-
 def test_layers_are_those_of_the_paper_and_signs_follow_the_step_function():
     model = an_effect_model()
     kinds = [type(layer).__name__ for layer in model.action_encoder]
@@ -96,6 +83,8 @@ def test_variance_has_a_floor_and_a_head_of_means_has_none():
     floor = np.exp(LOG_VARIANCE_FLOOR) * model.effect_std.numpy() ** 2
     np.testing.assert_allclose(variance, np.tile(floor, (5, 1)), rtol=1e-4)
     assert np.all(an_effect_model(head="mean").predict(*inputs(5))[1] == 0)
+    model.set_scale(torch.zeros(10, 3))
+    assert model.effect_std.min() > 0, "also of an axis that never changes"
 
 
 def test_prediction_from_codes_sees_nothing_but_the_bits():
@@ -108,35 +97,7 @@ def test_prediction_from_codes_sees_nothing_but_the_bits():
         np.testing.assert_allclose(mean[rows], np.tile(mean[rows[0]], (len(rows), 1)), atol=1e-6)
 
 
-def test_branching_table_agrees_with_decoding_one_code_at_a_time():
-    model = an_effect_model()
-    features, _ = inputs(4)
-    symbols = all_symbols(3)
-    table = model.branching_table(features, symbols)
-    assert table.shape == (4, 8, 3)
-    for i, object_symbol in enumerate(model.object_symbols(features)):
-        for j, symbol in enumerate(symbols):
-            codes = [torch.tensor(signs(s), dtype=torch.float32)[None] for s in (object_symbol, symbol)]
-            with torch.inference_mode():
-                mean = model.decode(*codes)[0] * model.effect_std + model.effect_mean
-            np.testing.assert_allclose(table[i, j], mean[0].numpy(), atol=1e-6)
-
-
-def test_entropies_agree_with_the_predicted_variances():
-    model = an_effect_model()
-    features, actions = inputs(50)
-    _, variance = model.predict(np.tile(features[0], (50, 1)), actions)
-    expected = (0.5 * np.log(2 * np.pi * np.e * variance)).mean(1)
-    np.testing.assert_allclose(model.mean_entropies(features[0], actions), expected, rtol=1e-4, atol=1e-5)
-
-
 # What they are shown: grippers open or closed, and each sample in the mirrors that a coin chooses
-
-
-def scale_of(effects, mirrored):
-    network = DirectModel(Dimensions(), DirectConfig(peaks=False))
-    network.set_scale(effects, mirrored)
-    return network.effect_mean, network.effect_std
 
 
 def samples(rows=200):
@@ -196,50 +157,12 @@ def test_networks_normalise_grippers_only_if_shown_their_values(sharpness):
         assert torch.nonzero(layers[0].is_state)[:, 0].tolist() == states
 
 
-def test_reflections_are_those_of_a_naive_loop_with_the_same_coins():
-    actions, effects = samples()
-    found = reflected(actions, effects, MIRRORS, torch.Generator().manual_seed(5))
-    coins = torch.Generator().manual_seed(5)
-    expected_actions, expected_effects = actions.clone(), effects.clone()
-    for mirror in MIRRORS:
-        heads = torch.randint(2, (len(actions), 1), generator=coins)
-        for row in range(len(actions)):
-            if not heads[row]:
-                for column in mirror.actions:
-                    expected_actions[row, column] = -expected_actions[row, column]
-                for axis in mirror.effects:
-                    expected_effects[row, axis] = -expected_effects[row, axis]
-    assert torch.equal(found[0], expected_actions)
-    assert torch.equal(found[1], expected_effects)
-    before = coins.get_state()
-    assert reflected(actions, effects, (), coins) == (actions, effects)
-    assert torch.equal(coins.get_state(), before), "without mirrors nothing is drawn"
-
-
-@pytest.mark.parametrize("mirrored", [(), (0,), (0, 2)])
-def test_scale_is_that_of_the_effects_together_with_all_their_images(mirrored):
-    effects = samples()[1] * torch.tensor([1.0, 2.0, 0.5]) + 0.3
-    images = effects
-    for axis in mirrored:
-        flip = torch.ones(3)
-        flip[axis] = -1
-        images = torch.cat([images, images * flip])
-    mean, std = scale_of(effects, mirrored)
-    torch.testing.assert_close(mean, images.mean(0), atol=1e-5, rtol=1e-4)
-    torch.testing.assert_close(std, images.std(0, correction=0), atol=1e-5, rtol=1e-4)
-    assert scale_of(torch.zeros(10, 3), mirrored)[1].min() > 0, "also of an axis that never changes"
-
-
 # Their files
 
 
-def sentence(path, network=DirectModel):
-    with pytest.raises(InvalidFile) as refused:
+def refused(path, said, network=DirectModel):
+    with pytest.raises(InvalidFile, match=f"^{re.escape(str(path))} .*{said}[^\n]*$"):
         network.load(path)
-    message = str(refused.value)
-    assert message.startswith(str(path))
-    assert len(message.splitlines()) == 1
-    return message
 
 
 @pytest.mark.parametrize(
@@ -261,24 +184,15 @@ def test_a_saved_model_comes_back_whole(make, options, tmp_path):
 
 
 @KINDS
-def test_equal_models_are_equal_bytes(make, tmp_path):
-    for name, seed in (("a", 0), ("b", 0), ("c", 1)):
-        make(seed).save(tmp_path / name)
-    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes() != (tmp_path / "c").read_bytes()
-
-
-@KINDS
-def test_missing_torn_and_foreign_files_are_refused_in_a_sentence(make, tmp_path):
+def test_torn_and_foreign_files_are_refused_in_a_sentence(make, tmp_path):
     model, path = make(), tmp_path / "m"
-    assert "there is no such file" in sentence(tmp_path / "nowhere", type(model))
     model.save(path)
-    for content in (b"", b"hello", b"\x80\x04K\x01.", b"\xff" * 64, path.read_bytes()[:-100]):
-        path.write_bytes(content)
-        assert "not a safetensors file, or it is damaged" in sentence(path, type(model))
+    path.write_bytes(path.read_bytes()[:-100])
+    refused(path, "not a safetensors file, or it is damaged", type(model))
     save_file({"weight": np.zeros(3, np.float32)}, path)
-    assert "not of the format" in sentence(path, type(model))
+    refused(path, "not of the format", type(model))
     {a_direct_model: an_effect_model, an_effect_model: a_direct_model}[make]().save(path)
-    assert f"not of the format {model.FORMAT}" in sentence(path, type(model))
+    refused(path, f"not of the format {model.FORMAT}", type(model))
 
 
 @KINDS
@@ -302,7 +216,7 @@ def test_weights_that_do_not_fit_their_description_are_refused_in_a_sentence(mak
     if isinstance(change.get("config"), dict):
         change = {"config": description["config"] | change["config"]}
     write_tensors(tmp_path / "m", model.FORMAT, weights, {**description, **change})
-    assert "do not fit the configuration" in sentence(tmp_path / "m", type(model))
+    refused(tmp_path / "m", "do not fit the configuration", type(model))
 
 
 @KINDS
@@ -311,14 +225,8 @@ def test_weights_that_cannot_be_predicted_with_are_refused(make, tmp_path):
     for value, said in ((torch.inf, "not finite"), (torch.nan, "not finite"), (-3e38, "1e+18")):
         model.effect_std.fill_(value)
         model.save(tmp_path / "m")
-        assert said in sentence(tmp_path / "m", type(model))
+        refused(tmp_path / "m", re.escape(said), type(model))
     model = an_effect_model()
     model.action_encoder[0].running_var[2] = -1.0
     model.save(tmp_path / "m")
-    assert "a variance below zero" in sentence(tmp_path / "m", EffectModel)
-
-
-@pytest.mark.parametrize("option", [{"object_bits": 0}, {"dropout": 1.0}, {"hidden": 0}, {"action_bits": 99}])
-def test_impossible_options_are_refused(option):
-    with pytest.raises(InvalidValue):
-        ModelConfig(**option)
+    refused(tmp_path / "m", "a variance below zero", EffectModel)

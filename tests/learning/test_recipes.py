@@ -1,14 +1,10 @@
 """Recipes of the final fit: what is descended is what was meant, and what is taught gets into the bits."""
 
 from dataclasses import replace
-from itertools import product
 
 import numpy as np
-import pytest
-import torch
 from toy_learning import toy_data
 
-from neurosym.learning.recipes import code_probabilities, draw_alike, expected_error
 from neurosym.learning.training import train
 from neurosym.learning.training_config import (
     CodingConfig,
@@ -40,34 +36,6 @@ SMALL_FIT = TrainingConfig(
 """Learns the toy world well enough, in a few seconds."""
 
 
-def some_probabilities(rng, rows, bits):
-    return code_probabilities(torch.tensor(rng.uniform(-1, 1, size=(rows, bits)), dtype=torch.float32))
-
-
-@pytest.mark.parametrize("bits", [1, 2, 3, 5])
-def test_code_probabilities_are_products_over_the_bits_and_sum_to_one(bits):
-    embeddings = np.random.default_rng(bits).uniform(-1, 1, size=(7, bits)).astype(np.float32)
-    found = code_probabilities(torch.from_numpy(embeddings)).numpy()
-    np.testing.assert_allclose(found.sum(1), 1, atol=1e-6)
-    for row, z in enumerate(embeddings):
-        for number, code in enumerate(product((0, 1), repeat=bits)):
-            likely = 1.0
-            for bit, value in zip(code, z, strict=True):
-                likely *= (1 + value) / 2 if bit else (1 - value) / 2
-            assert found[row, number] == pytest.approx(likely, abs=1e-6)
-
-
-def test_expected_error_is_that_of_drawing_every_code_in_turn():
-    rng = np.random.default_rng(0)
-    by_action, by_object = some_probabilities(rng, 6, 3), some_probabilities(rng, 4, 2)
-    effects, targets = (torch.from_numpy(rng.normal(size=(n, m, 3))).float() for n, m in ((8, 4), (6, 4)))
-    total = 0.0
-    for r, c, i, j in product(range(6), range(4), range(8), range(4)):
-        square = float(((targets[r, c] - effects[i, j]) ** 2).sum())
-        total += float(by_action[r, i] * by_object[c, j]) * square / (6 * 4)
-    assert float(expected_error(by_action, by_object, effects, targets)) == pytest.approx(total, rel=1e-5)
-
-
 def test_taught_bits_say_more_than_those_of_the_joint_fit_and_every_code_is_used():
     data, network = toy_data(1200), ModelConfig(hidden=64)
     taught = train(data, config=SMALL_FIT, model_config=network, seed=0)
@@ -85,15 +53,6 @@ def test_taught_bits_say_more_than_those_of_the_joint_fit_and_every_code_is_used
         assert counts.max() > 0.7 * counts.sum()
         favourites[push] = names[counts.argmax()]
     assert len(set(favourites.values())) == 4
-
-
-def test_drawn_alike_are_of_the_same_code_or_else_of_the_nearest_there_is():
-    there = torch.tensor([[1.0, 1, 1], [1, 1, 1], [-1, -1, -1], [-1, 1, -1]])
-    wanted = torch.tensor([[1.0, 1, 1]] * 50 + [[-1.0, -1, -1]] * 20 + [[-1.0, -1, 1]] * 20)
-    drawn = draw_alike(wanted, there, torch.Generator().manual_seed(0))
-    assert set(drawn[:50].tolist()) == {0, 1}
-    assert set(drawn[50:70].tolist()) == {2}
-    assert set(drawn[70:].tolist()) == {2}
 
 
 def test_decoder_expects_what_actions_do_that_nobody_chose_for_their_effect():

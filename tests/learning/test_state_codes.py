@@ -1,4 +1,4 @@
-"""States of pairs: what is told apart, what is borne, how they are called, and how likely they are."""
+"""States of pairs: in numbers, what is told apart, what is borne, how called, how likely they are."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,16 @@ import pytest
 from neurosym.data.interactions import Interactions
 from neurosym.learning.state_codes import ended_in, fit_chances, foreseen_by, learn_states, name_state
 from neurosym.learning.training_config import regime_named
-from neurosym.pair_operators import PairState, PairStates
+from neurosym.pair_operators import (
+    FARTHEST,
+    PairState,
+    PairStates,
+    describe_pair,
+    extent,
+    tilt,
+    touching_units,
+)
+from neurosym.world import Scene
 
 APART, ON, UNDER, IN = (
     (1.6, 0.0, 0.0, 0.0, 0.0),
@@ -92,18 +101,14 @@ def test_only_states_that_bear_and_were_carried_to_count():
     np.testing.assert_array_equal(ended_in(rows, STATES), [[1, 0], [0, 1], [0, 0], [0, 0]])
 
 
-@pytest.fixture(scope="module")
-def foresee():
+def test_what_decides_between_states_is_learned_from_the_pair_itself_as_chances():
     rng = np.random.default_rng(0)
     features = rng.uniform(size=(400, 8))
     fits = features[:, 0] < features[:, 4]
     ends = [ENDS_IN if fit else ENDS_ON if rng.random() < 0.5 else MISSED for fit in fits]
     config = regime_named("quick").training
     data = interactions(ends, features)
-    return foreseen_by(fit_chances(data, STATES, config, seed=0, progress=lambda *_: None))
-
-
-def test_what_decides_between_states_is_learned_from_the_pair_itself(foresee):
+    foresee = foreseen_by(fit_chances(data, STATES, config, seed=0, progress=lambda *_: None))
     features = np.random.default_rng(1).uniform(size=(300, 8))
     apart = features[:, 4] - features[:, 0]
     foreseen = foresee(features, np.zeros((300, 12)))
@@ -111,11 +116,44 @@ def test_what_decides_between_states_is_learned_from_the_pair_itself(foresee):
     assert inside[apart > 0.2].mean() > 0.8 > 0.2 > inside[apart < -0.2].mean()
     assert on[apart > 0.2].mean() < 0.2
     assert 0.3 < on[apart < -0.2].mean() < 0.7
+    anywhere = np.random.default_rng(1).uniform(-3, 4, (200, 20))
+    far = foresee(anywhere[:, :8], anywhere[:, 8:])
+    assert far.shape == (200, 2)
+    assert 0 <= far.min() <= far.max() <= 1
 
 
-def test_chances_are_shares(foresee):
-    rng = np.random.default_rng(1)
-    found = foresee(rng.uniform(-3, 4, (200, 8)), rng.uniform(-1, 1, (200, 12)))
-    assert found.shape == (200, 2)
-    assert found.min() >= 0
-    assert found.max() <= 1
+# How one object stands to another, in numbers: hand-made scenes
+
+UPRIGHT = (0.0, 0.0, 0.0, 1.0)
+CUBE, PLATE = (0.04, 0.04, 0.04, 0.0), (0.16, 0.12, 0.02, 0.0)
+
+
+def scene(*rows: tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...]]) -> Scene:
+    """Make a scene of objects with features, position and orientation."""
+    return Scene(*(np.array(column, dtype=float) for column in zip(*rows, strict=True)))
+
+
+STACK = scene((CUBE, (0.5, 0.0, 0.04), UPRIGHT), (PLATE, (0.5, 0.0, 0.01), UPRIGHT))
+
+
+def test_what_stands_on_another_is_one_touching_unit_above_it():
+    np.testing.assert_allclose(touching_units(STACK, 0, 1), (0, 0, 1), atol=1e-9)
+    np.testing.assert_allclose(describe_pair(STACK, 0, 1, ((0, 1),)), (0, 1, 1, 0, 0), atol=1e-6)
+    np.testing.assert_allclose(describe_pair(STACK, 1, 0, ((0, 1),)), (0, -1, 1, 0, 0), atol=1e-6)
+
+
+def test_what_is_far_away_is_no_farther_than_the_most():
+    apart = scene((CUBE, (0.3, 0.3, 0.02), UPRIGHT), (CUBE, (0.9, -0.3, 0.02), UPRIGHT))
+    np.testing.assert_allclose(describe_pair(apart, 0, 1, ()), (FARTHEST, 0, 0, 0, 0), atol=1e-9)
+
+
+def test_sizes_are_those_along_the_axes_of_the_world():
+    quarter = (0.0, 0.0, np.sqrt(0.5), np.sqrt(0.5))
+    np.testing.assert_allclose(extent(scene((PLATE, (0, 0, 0), quarter)), 0), (0.12, 0.16, 0.02), atol=1e-9)
+
+
+@pytest.mark.parametrize(("degrees", "expected"), [(0, 0.0), (5, 5.0), (90, 0.0), (45, 20.05)])
+def test_tilt_is_counted_from_the_nearest_face_and_bounded(degrees: float, expected: float):
+    half = np.radians(degrees) / 2
+    leaning = scene((CUBE, (0, 0, 0), (np.sin(half), 0.0, 0.0, np.cos(half))))
+    assert np.degrees(tilt(leaning, 0)) == pytest.approx(expected, abs=0.01)

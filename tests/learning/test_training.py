@@ -11,30 +11,16 @@ from toy_learning import BRIEF, SMALL, toy_data
 
 from neurosym.data.origin import Dimensions, has_high_effect, mirrors_of
 from neurosym.errors import InvalidValue
-from neurosym.learning.losses import (
-    negative_log_likelihood,
-    nt_xent,
-    prediction_loss,
-    reproducible,
-    run_epochs,
-    samples_of,
-    total_loss,
-)
+from neurosym.exploration.curiosity import LearningConfig
+from neurosym.exploration.loop import ExplorationConfig
+from neurosym.learning import losses, training
 from neurosym.learning.network import DirectModel, EffectModel
 from neurosym.learning.recipes import RECIPES
-from neurosym.learning.training import (
-    assess,
-    empty_codes,
-    r_squared,
-    share_of,
-    split,
-    train,
-    trivial_predictions,
-)
 from neurosym.learning.training_config import (
     REGIMES,
     CodingConfig,
     DecoderConfig,
+    ModelConfig,
     NamingConfig,
     TeacherConfig,
     TrainingConfig,
@@ -46,7 +32,7 @@ def test_nll_is_that_of_the_normal_distribution():
     mean, log_variance, effects = torch.randn(3, 20, 3, generator=generator)
     normal = torch.distributions.Normal(mean, (log_variance / 2).exp())
     torch.testing.assert_close(
-        negative_log_likelihood(mean, log_variance, effects), -normal.log_prob(effects).mean()
+        losses.negative_log_likelihood(mean, log_variance, effects), -normal.log_prob(effects).mean()
     )
 
 
@@ -57,7 +43,7 @@ def test_nt_xent_agrees_with_eq_8_read_naively():
     for i in range(12):
         s = [float(unit[i] @ unit[j]) for j in range(12)]
         total -= np.log(np.exp(s[i] / 0.5) / sum(np.exp(value / 0.5) for value in s)) / 12
-    assert float(nt_xent(z, 0.5)) == pytest.approx(total, rel=1e-5)
+    assert float(losses.nt_xent(z, 0.5)) == pytest.approx(total, rel=1e-5)
 
 
 def test_a_prediction_that_is_right_in_metres_costs_nothing():
@@ -66,15 +52,17 @@ def test_a_prediction_that_is_right_in_metres_costs_nothing():
     model.effect_std.fill_(2.0)
     objects, chosen = torch.ones(4, SMALL.object_bits), torch.ones(4, SMALL.action_bits)
     effects = model.decode(objects, chosen)[0].detach() * 2.0 + 0.5
-    assert prediction_loss(model, objects, chosen, effects).item() == pytest.approx(0.0, abs=1e-9)
+    assert losses.prediction_loss(model, objects, chosen, effects).item() == pytest.approx(0.0, abs=1e-9)
 
 
 def test_the_coefficient_multiplies_both_terms():
     data, model = toy_data(300), EffectModel(Dimensions(), SMALL).eval()
     batch = [torch.from_numpy(column) for column in (data.features, data.actions, data.effects)]
-    with reproducible(0):
-        one, half = (total_loss(model, *batch, coefficient=c, temperature=0.1).item() for c in (1.0, 0.5))
-        without = total_loss(model, *batch, coefficient=1.0, temperature=None).item()
+    with losses.reproducible(0):
+        one, half = (
+            losses.total_loss(model, *batch, coefficient=c, temperature=0.1).item() for c in (1.0, 0.5)
+        )
+        without = losses.total_loss(model, *batch, coefficient=1.0, temperature=None).item()
     assert half == pytest.approx(one / 2)
     assert one != without
 
@@ -88,11 +76,11 @@ def test_every_sample_is_seen_once_in_an_epoch_and_none_that_is_held_out():
         return weight.sum()
 
     optimiser = torch.optim.SGD([weight], lr=0.1)
-    run_epochs(loss_of, 23, optimiser, torch.Generator(), epochs=3, batch=5, clip_norm=1.0, decay=True)
+    losses.run_epochs(loss_of, 23, optimiser, torch.Generator(), epochs=3, batch=5, clip_norm=1.0, decay=True)
     assert sorted(seen) == sorted([*range(23)] * 3)
     assert optimiser.param_groups[0]["lr"] == 0.1
     data = toy_data(300)
-    kept, held_out = split(data, 0.2, seed=1)
+    kept, held_out = training.split(data, 0.2, seed=1)
     rows = {tuple(row) for row in kept.actions.tolist()}
     assert not rows & {tuple(row) for row in held_out.actions.tolist()}
     assert (len(kept), len(held_out)) == (240, 60)
@@ -103,7 +91,7 @@ def test_the_same_seed_gives_the_same_bytes(recipe, tmp_path):
     config = replace(BRIEF, recipe=recipe)
     for name, seed in (("a", 5), ("b", 5), ("c", 6)):
         before = torch.random.get_rng_state()
-        trained = train(toy_data(300), config=config, model_config=SMALL, seed=seed)
+        trained = training.train(toy_data(300), config=config, model_config=SMALL, seed=seed)
         trained.model.save(tmp_path / name)
         trained.direct.save(tmp_path / f"{name}-direct")
         assert torch.equal(before, torch.random.get_rng_state())
@@ -117,10 +105,10 @@ def test_the_same_seed_gives_the_same_bytes(recipe, tmp_path):
 def test_data_of_a_baseline_are_learned_as_that_baseline_learns(strategy):
     data = replace(toy_data(400), origin={**toy_data(400).origin, "strategy": strategy})
     used = data[has_high_effect(data.effects)] if strategy == "active" else data
-    model = train(data, config=BRIEF, model_config=SMALL, seed=0).model
+    model = training.train(data, config=BRIEF, model_config=SMALL, seed=0).model
     assert model.config.head == ("gaussian" if strategy == "disagreement" else "mean")
     assert model.trained_by["interactions"] == len(used)
-    kept, _ = split(used, BRIEF.validation_share, 0)
+    kept, _ = training.split(used, BRIEF.validation_share, 0)
     squares = (kept.effects - model.effect_mean.numpy()) ** 2
     np.testing.assert_allclose(model.effect_std, np.sqrt(squares.mean(0)), rtol=1e-4)
 
@@ -129,10 +117,12 @@ def test_mirrors_are_made_use_of_only_if_the_origin_names_them_and_the_config_al
     data = toy_data(300)
     unknown = replace(data, origin={k: v for k, v in data.origin.items() if k != "mirrors"})
     assert len(mirrors_of(data.origin)) == 2
-    assert samples_of(data).mirrors == mirrors_of(data.origin)
-    assert samples_of(data, mirrors=False).mirrors == samples_of(unknown).mirrors == ()
+    assert losses.samples_of(data).mirrors == mirrors_of(data.origin)
+    assert losses.samples_of(data, mirrors=False).mirrors == losses.samples_of(unknown).mirrors == ()
     means = [
-        train(rows, config=replace(BRIEF, mirrors=mirrors), model_config=SMALL, seed=0).model.effect_mean
+        training.train(
+            rows, config=replace(BRIEF, mirrors=mirrors), model_config=SMALL, seed=0
+        ).model.effect_mean
         for rows, mirrors in ((data, True), (data, False), (unknown, True))
     ]
     assert means[0][:2].tolist() == [0, 0]  # left as often as right, in the mirror
@@ -141,7 +131,7 @@ def test_mirrors_are_made_use_of_only_if_the_origin_names_them_and_the_config_al
 
 
 def test_batches_are_seen_through_each_mirror_half_of_the_time():
-    samples = samples_of(toy_data(300))
+    samples = losses.samples_of(toy_data(300))
     _, actions, effects = samples.batch(torch.zeros(2000, dtype=torch.int64), torch.Generator())
     for axis in (0, 1):
         flipped = actions[:, axis] == -samples.actions[0, axis]
@@ -154,20 +144,20 @@ def test_batches_are_seen_through_each_mirror_half_of_the_time():
 
 def assessed(data):
     """Assess networks that learned nothing; also returns the direct one, and the held out interactions."""
-    kept, held_out = split(data, 0.2, seed=1)
+    kept, held_out = training.split(data, 0.2, seed=1)
     model = EffectModel(Dimensions(), SMALL).eval()
     direct = DirectModel(Dimensions(), BRIEF.teacher.network).eval()
-    return assess(model, direct, kept, held_out), direct, held_out
+    return training.assess(model, direct, kept, held_out), direct, held_out
 
 
 def test_trivial_predictors_stand_beside_the_model():
     report, direct, held_out = assessed(toy_data(300))
     np.testing.assert_allclose(report.mae["always zero"], np.abs(held_out.effects).mean(0), rtol=1e-5)
     assert set(report.mae) == {"model", "always zero", "always mean", "per-axis median"}
-    direct_r2 = r_squared(direct.predict(held_out.features, held_out.actions), held_out.effects)
+    direct_r2 = training.r_squared(direct.predict(held_out.features, held_out.actions), held_out.effects)
     assert report.r2_direct_by_axis == pytest.approx(direct_r2.tolist(), rel=1e-4, abs=1e-5)
     seen = np.array([[0.0, 10.0], [1.0, 10.0], [8.0, 40.0]])
-    found = trivial_predictions(seen, 2)
+    found = training.trivial_predictions(seen, 2)
     assert found["always zero"].tolist() == [[0.0, 0.0]] * 2
     assert found["always mean"].tolist() == [pytest.approx([3.0, 20.0])] * 2
     assert found["per-axis median"].tolist() == [[1.0, 10.0]] * 2
@@ -177,21 +167,21 @@ def test_axes_that_never_change_are_left_out_of_the_mean_and_there_is_no_share_o
     data = toy_data(300)
     report, _, _ = assessed(replace(data, effects=data.effects * np.array([1, 1, 0], dtype=np.float32)))
     assert report.r2_direct == pytest.approx(np.mean(report.r2_direct_by_axis[:2]))
-    assert share_of(0.3, 0.6) == pytest.approx(0.5)
-    assert share_of(-0.2, -0.3) is None
-    assert share_of(0.1, 0.0) is None
+    assert training.share_of(0.3, 0.6) == pytest.approx(0.5)
+    assert training.share_of(-0.2, -0.3) is None
+    assert training.share_of(0.1, 0.0) is None
 
 
 def test_r_squared_is_one_for_the_truth_and_zero_for_the_mean():
     truth = np.random.default_rng(0).normal(size=(50, 2))
-    np.testing.assert_allclose(r_squared(truth, truth), 1)
-    np.testing.assert_allclose(r_squared(np.tile(truth.mean(0), (50, 1)), truth), 0, atol=1e-12)
-    assert r_squared(truth, np.zeros((50, 2))).tolist() == [0, 0]
+    np.testing.assert_allclose(training.r_squared(truth, truth), 1)
+    np.testing.assert_allclose(training.r_squared(np.tile(truth.mean(0), (50, 1)), truth), 0, atol=1e-12)
+    assert training.r_squared(truth, np.zeros((50, 2))).tolist() == [0, 0]
 
 
 def test_networks_say_what_trained_them_and_effects_that_are_not_standardised_stay_in_metres():
     config = replace(BRIEF, standardise=False)
-    trained = train(toy_data(300), config=config, model_config=SMALL, seed=9)
+    trained = training.train(toy_data(300), config=config, model_config=SMALL, seed=9)
     assert trained.model.effect_std.tolist() == [1, 1, 1]
     assert trained.model.effect_mean.tolist() == [0, 0, 0]
     assert all(trained.direct.effect_std < 0.2)  # the yardstick is
@@ -215,15 +205,15 @@ def test_encoders_take_more_steps_and_the_table_has_more_rows_for_more_bits():
 
 @pytest.mark.parametrize("bits", [3, pytest.param(8, marks=pytest.mark.evaluation)])
 def test_wide_symbols_can_be_trained_and_codes_without_rows_are_listed(bits):
-    trained = train(toy_data(100), config=BRIEF, model_config=SMALL.with_bits(6, bits), seed=0)
+    trained = training.train(toy_data(100), config=BRIEF, model_config=SMALL.with_bits(6, bits), seed=0)
     model, report, data = trained.model, trained.report, toy_data(100)
     used = set(model.object_symbols(data.features)), set(model.action_symbols(data.actions))
     assert used[0].isdisjoint(report.empty_object_codes)
     assert len(used[0]) + len(report.empty_object_codes) == 64
     assert len(used[1]) + len(report.empty_action_codes) == 2**bits
-    assert f" and {len(report.empty_object_codes) - 16} more" in empty_codes(report)
+    assert f" and {len(report.empty_object_codes) - 16} more" in training.empty_codes(report)
     full = msgspec.structs.replace(report, empty_object_codes=(), empty_action_codes=())
-    assert empty_codes(full) == ""
+    assert training.empty_codes(full) == ""
 
 
 def test_the_papers_regime_has_the_papers_numbers():
@@ -248,6 +238,14 @@ def test_options_are_stored_by_the_names_that_model_files_have_had_from_the_begi
         (DecoderConfig, {"imagined": 0}, "DecoderConfig.imagined = 0 must be at least 1"),
         (TrainingConfig, {"learning_rate": 0.0}, "TrainingConfig.learning_rate = 0.0 must be positive"),
         (TrainingConfig, {"validation_share": 1.0}, "validation_share = 1.0"),
+        *((ModelConfig, {name: 0}, name) for name in ("object_bits", "hidden")),
+        *((ModelConfig, option, next(iter(option))) for option in ({"dropout": 1.0}, {"action_bits": 99})),
+        *((LearningConfig, {name: least}, name) for name, least in (("epochs", 0), ("ensemble", 1))),
+        *(
+            (LearningConfig, {name: least}, name)
+            for name, least in (("learning_rate", 0.0), ("clip_norm", -1.0))
+        ),
+        *((ExplorationConfig, {name: 0}, name) for name in ("candidates", "block")),
     ],
 )
 def test_impossible_options_are_refused(kind, option, message):

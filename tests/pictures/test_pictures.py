@@ -1,6 +1,10 @@
-"""`neurosym show` makes things happen again and pictures them; rows of pictures tell what a run does."""
+"""`neurosym show` pictures what happens again; a colour is a category, told apart by everybody."""
 
+import shutil
+import sys
 from dataclasses import replace
+from itertools import combinations
+from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -9,26 +13,24 @@ import toy_domain
 import toy_relations
 from command_line import neurosym, refusal
 from PIL import Image
+from places import SHIPPED
+from standing import boxes
 from toy_relations import PUT_ON
 
-from neurosym.colours import Palette
+from neurosym.colours import CATEGORY_COLOURS, NEUTRAL, OTHER, Palette
+from neurosym.contract import Guarded
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
-from neurosym.pictures.film import (
-    STRIP_SIZE,
-    Row,
-    film_row,
-    picture_problem,
-    run_stills,
-    save_gif,
-    save_sheet,
-    telling,
-)
+from neurosym.pictures import film
 from neurosym.pictures.motions import Motion, recall_interaction, surest_carriers
+from neurosym.problems import Problem
 from neurosym.sim.tabletop import Tabletop
+from neurosym.stages.painting import painted_world
 from neurosym.tasks.transition import PlanStep
+from neurosym.world import Frame, World
+from neurosym.worlds.own_world import OwnFactory
 from neurosym.worlds.toy import ToyConfig, ToyWorld, make_world
 
 FRAMES = [np.full((480, 640, 3), shade, dtype=np.uint8) for shade in (0, 120, 250)]
@@ -40,7 +42,7 @@ def size(path) -> tuple[int, int]:
 
 
 def test_gif_shows_every_frame_and_pauses_on_the_last(tmp_path):
-    save_gif(tmp_path / "run.gif", FRAMES)
+    film.save_gif(tmp_path / "run.gif", FRAMES)
     with Image.open(tmp_path / "run.gif") as image:
         assert image.n_frames == 3
         image.seek(2)
@@ -49,9 +51,9 @@ def test_gif_shows_every_frame_and_pauses_on_the_last(tmp_path):
 
 
 def test_strip_sets_the_frames_side_by_side_with_captions(tmp_path):
-    save_sheet(tmp_path / "run.png", [Row("", tuple(FRAMES), ("start", "one", "two"))])
+    film.save_sheet(tmp_path / "run.png", [film.Row("", tuple(FRAMES), ("start", "one", "two"))])
     with Image.open(tmp_path / "run.png") as image:
-        width, height = STRIP_SIZE
+        width, height = film.STRIP_SIZE
         assert image.size[0] == 3 * width
         assert [image.getpixel((width // 2 + width * k, 100))[0] for k in range(3)] == [0, 120, 250]
         caption = np.asarray(image.convert("L"))[height:, :width]
@@ -66,7 +68,7 @@ def test_interaction_happens_again_to_the_byte_and_is_pictured_the_same(folder, 
     assert f"wrote {path}" in said
     assert "next: neurosym show" in said
     width, height = size(path)
-    assert (width, height > STRIP_SIZE[1]) == (3 * STRIP_SIZE[0], True)
+    assert (width, height > film.STRIP_SIZE[1]) == (3 * film.STRIP_SIZE[0], True)
     assert neurosym("show", folder, "--interaction", 5, "--output", folder / "two.png") == 0
     assert path.read_bytes() == (folder / "two.png").read_bytes()
     assert neurosym("show", folder, "--interaction", 5, "--output", folder / "five.gif") == 0
@@ -96,7 +98,7 @@ def test_primitive_is_shown_on_each_category_that_the_domain_promises_something_
     said = capsys.readouterr().out
     promised = [operator.name for operator in grounding.live if operator.primitive == symbol]
     assert all(name in said for name in promised)
-    rows = size(folder / f"pictures/primitive-{symbol}.png")[1] / STRIP_SIZE[1]
+    rows = size(folder / f"pictures/primitive-{symbol}.png")[1] / film.STRIP_SIZE[1]
     assert len(promised) < rows < 1.2 * len(promised)
 
 
@@ -119,13 +121,13 @@ def test_each_category_is_carried_by_what_does_it_most_surely_if_most_of_it_can_
 
 def test_problem_is_shown_with_its_goals_unless_a_world_draws_nothing(folder):
     assert neurosym("show", folder, "--problem", "task-02") == 0
-    assert size(folder / "pictures/problem-task-02.png")[0] == STRIP_SIZE[0]
+    assert size(folder / "pictures/problem-task-02.png")[0] == film.STRIP_SIZE[0]
 
     class Blind(ToyWorld):
         picture = None
 
     with pytest.raises(InvalidValue, match="The toy world draws no pictures"):
-        picture_problem(Blind(ToyConfig()), toy_domain.problem({}), folder / "x.png")
+        film.picture_problem(Blind(ToyConfig()), toy_domain.problem({}), folder / "x.png")
 
 
 def test_symbols_are_drawn_in_one_file_with_a_legend_and_an_effect_of_each_operator(folder, capsys):
@@ -149,10 +151,7 @@ def test_symbols_are_drawn_in_one_file_with_a_legend_and_an_effect_of_each_opera
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (
-            [],
-            "Name one thing to show: --interaction I, --primitive CODE, --operator NAME, --problem NAME or",
-        ),
+        ([], "Name one thing to show: --interaction I, --primitive CODE, --operator NAME, --problem NAME or"),
         (["--interaction", "1024"], "no interaction 1024; the data have 1024 rows, 0 to 1023"),
         (["--primitive", "wave"], "no primitive 'wave'; valid: 0"),
         (["--operator", "wave"], "no operator 'wave'; valid: "),
@@ -171,13 +170,13 @@ def test_impossible_request_is_refused_in_one_sentence(folder, arguments, messag
 
 
 def test_strip_of_the_tabletop_shows_every_phase_of_a_lift():
-    assert telling(["start", "start", "waypoint 1", "waypoint 1", "rise", "rise", "rise"]) == (2, 3, 6)
+    assert film.telling(["start", "start", "waypoint 1", "waypoint 1", "rise", "rise", "rise"]) == (2, 3, 6)
     scene = Tabletop().sample_scene(np.random.default_rng(0), 1)
     scene.features[0] = [0.05, 0.05, 0.05, 0.0]
     scene.positions[0, 2] = 0.025
     lift = np.array([0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0.03, 0], dtype=float)
     world = Tabletop()
-    row, outcome = film_row(world, Motion("lift", scene, lift))
+    row, outcome = film.film_row(world, Motion("lift", scene, lift))
     assert outcome.held
     assert row.captions == ("start", "waypoint 1", "waypoint 2", "waypoint 3", "rise", "put down")
     assert all(frame.min() < 100 for frame in row.frames)
@@ -189,16 +188,16 @@ def test_run_is_shown_from_its_goals_to_its_start_if_it_goes_the_same_way():
     asked = toy_domain.problem({"item-01": (0.68, 0.0, 0.025), "item-02": (0.8, 0.18, 0.025)})
     plan = (PlanStep("push-forward-010-cube", "item-01"), PlanStep("push-left-001-cube", "item-02"))
     run = execute(world, asked, grounding, plan)
-    stills = run_stills(world, grounding, asked, run)
+    stills = film.run_stills(world, grounding, asked, run)
     assert len(stills.frames) == len(stills.captions) == 3
     assert stills.captions[-1].endswith("item-02: resting, goal reached")
     np.testing.assert_array_equal(stills.frames[0], world.picture(asked.scene(), asked.goal_positions()))
     assert not np.array_equal(stills.frames[0], world.picture(asked.scene()))
     nearer = ToyWorld(replace(ToyConfig(), lift_height=0.1))
-    assert run_stills(nearer, grounding, asked, run).frames
+    assert film.run_stills(nearer, grounding, asked, run).frames
     lifted = execute(world, asked, grounding, [PlanStep("lift-000-cube", "item-01")])
     with pytest.raises(InvalidValue, match="Step 1 of the run of errand goes another way"):
-        run_stills(nearer, grounding, asked, lifted)
+        film.run_stills(nearer, grounding, asked, lifted)
 
 
 def test_run_that_stacks_is_shown_with_its_start():
@@ -206,4 +205,84 @@ def test_run_that_stacks_is_shown_with_its_start():
     world, grounding, asked = toy_relations.WORLD, toy_relations.grounding(), toy_relations.tower()
     plan = [PlanStep(PUT_ON, "item-03", "item-02"), PlanStep(PUT_ON, "item-01", "item-03")]
     run = execute(world, asked, grounding, plan)
-    assert run_stills(world, grounding, asked, run).captions[-1].endswith("goal reached")
+    assert film.run_stills(world, grounding, asked, run).captions[-1].endswith("goal reached")
+
+
+# A colour is a category: in all pictures of a domain, told apart by everybody, and nobody else's
+
+LEAST = 20
+"""Between any two colours of categories, by CIEDE2000."""
+SCENE = boxes((0.1, 0.1, 0.06, 0.0, 0.65, 0.0), (0.1, 0.08, 0.05, 0.0, 0.8, 0.15))
+
+
+def reds(features: np.ndarray) -> np.ndarray:
+    """Paint wide objects red, and others pink."""
+    return np.array([(255, 0, 0) if wide else (255, 0, 255) for wide in features[:, 1] > 0.09], np.uint8)
+
+
+def shares(frame: Frame) -> list[int]:
+    """Count the pixels that are red, and those that are pink."""
+    red, green, blue = frame.astype(int).transpose(2, 0, 1)
+    coloured = (red > 100) & (green < 0.15 * red)
+    return [int(np.sum(coloured & mask)) for mask in (blue < 0.15 * red, blue > 0.85 * red)]
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_colours_of_categories_are_told_apart_by_all_eyes():
+    colour = pytest.importorskip("colour", reason="pip install colour-science")
+    matrix = colour.blindness.matrix_cvd_Machado2009
+    linear = colour.cctf_decoding(np.array(CATEGORY_COLOURS) / 255)
+    kinds = [matrix(kind, 1.0) for kind in ("Protanomaly", "Deuteranomaly", "Tritanomaly")]
+    for seen in (linear, *(np.clip(linear @ kind.T, 0, 1) for kind in kinds)):
+        lab = colour.XYZ_to_Lab(colour.RGB_to_XYZ(seen, "sRGB"))
+        pairs = combinations(lab, 2)
+        assert min(colour.delta_E(one, other, method="CIE 2000") for one, other in pairs) >= LEAST
+
+
+def test_neutral_colours_are_greyer_than_every_category():
+    def spread(colours):
+        return [max(colour) - min(colour) for colour in colours]
+
+    assert 2 * max(spread((*NEUTRAL, OTHER))) <= min(spread(CATEGORY_COLOURS))
+
+
+@pytest.mark.parametrize("world", [Tabletop(), ToyWorld(), Guarded(ToyWorld())], ids=type)
+def test_pictures_are_painted_with_their_ghosts_and_neutral_otherwise(world: World):
+    assert shares(world.picture(SCENE)) == [0, 0]
+    world.painter = reds
+    one, other = shares(world.picture(SCENE))
+    assert min(one, other) > 500
+    film: list[Frame] = []
+    action = np.array([0, -0.05, 0.3, 0, 0, 0, 0.3, 0, 0, 0.05, 0.3, 0.0])
+    world.interact(SCENE, action, 0, on_frame=lambda frame, _: film.append(frame))
+    assert min(shares(film[-1])) > 400
+    goals = np.array([(np.nan,) * 3, (0.55, -0.15, 0.025)])
+    assert not np.array_equal(world.picture(SCENE, goals), world.picture(SCENE))
+    world.painter = None
+    assert shares(world.picture(SCENE)) == [0, 0]
+
+
+def test_world_in_a_process_of_its_own_is_painted_too(tmp_path: Path, monkeypatch):
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    (tmp_path / "mine.py").write_text("from neurosym.worlds.toy import ToyWorld as Mine\n")
+    monkeypatch.chdir(tmp_path)
+    world = OwnFactory("mine:Mine", {}, tmp_path / "domain")()
+    world.painter = reds
+    assert min(shares(world.picture(SCENE))) > 500
+    film: list[Frame] = []
+    world.interact(SCENE, np.zeros(12), 0, on_frame=lambda frame, _: film.append(frame))
+    assert min(shares(film[-1])) > 500
+
+
+def test_world_of_a_domain_shows_the_categories_that_its_problems_name(tmp_path: Path):
+    world = painted_world(SHIPPED / "world.toml")
+    palette = Palette.of(Grounding.load(SHIPPED / "grounding.json").operators.categories)
+    problem = Problem.load(SHIPPED / "problems/task-17.scene.json")
+    colours = world.painter(problem.scene().features)
+    assert colours.tolist() == [list(palette(item.category)) for item in problem.objects]
+    assert len({*map(tuple, colours.tolist())}) > 1
+    for name, text in (("world.toml", None), ("grounding.json", None), ("effect_model.safetensors", "x")):
+        shutil.copy(SHIPPED / name, tmp_path) if text is None else (tmp_path / name).write_text(text)
+    assert {*map(tuple, painted_world(tmp_path / "world.toml").painter(SCENE.features).tolist())} == {OTHER}
+    (tmp_path / "effect_model.safetensors").unlink()
+    assert painted_world(tmp_path / "world.toml").painter is None

@@ -19,7 +19,7 @@ from toy_learning import (
 
 from neurosym.errors import UnknownChoice
 from neurosym.operators import Primitive
-from neurosym.primitives.audition import Round, audition, choose, choose_own, shortlist, shortlist_own
+from neurosym.primitives.audition import Round, audition, choose, choose_own, shortlist_own
 from neurosym.primitives.rehearsal import rehearsal_sample, rehearse, tabulate
 from neurosym.primitives.sampling import Repertoire, with_own
 from neurosym.world import Outcome, Scene
@@ -34,11 +34,6 @@ RIVALS = (
 TWELVE = Round(4, 12), Round(2, 12)
 
 
-def test_shortlist_keeps_the_best_few_of_each_symbol_best_first():
-    both = shortlist(RIVALS, foretell, some_features(), by_affordance, 2)
-    assert both == (RIVALS[1], RIVALS[0], RIVALS[2], RIVALS[3])
-
-
 def test_audition_finds_what_works_whatever_was_foretold():
     one, two = (
         audition(search(categorise=by_affordance, workers=workers), groups, rounds=TWELVE)
@@ -46,13 +41,6 @@ def test_audition_finds_what_works_whatever_was_foretold():
     )
     assert [(each.symbol, each.action) for each in one] == [("001", LEFT), ("100", LIFT)]
     assert one == two
-
-
-def test_audition_prefers_what_does_the_same_to_every_object_of_a_category():
-    groups = (Primitive("0", LEFT, 0.0), Primitive("0", LIFT, 0.0))
-    pushable = audition(search(categorise=lambda f: tuple(s[1] for s in by_affordance(f))), groups)
-    graspable = audition(search(categorise=lambda f: tuple(s[0] for s in by_affordance(f))), groups)
-    assert (pushable[0].action, graspable[0].action) == (LEFT, LIFT)
 
 
 def test_auditions_are_on_other_objects_than_rehearsals_and_the_same_for_every_candidate():

@@ -12,16 +12,13 @@ from neurosym.operators import Primitive
 from neurosym.primitives.audition import audition, shortlist
 from neurosym.primitives.reliability import (
     EXACT,
-    LITTLE,
     PLENTY,
     CandidateEffects,
     Performance,
     best_set,
     exactness,
     judge,
-    observe,
     sureness,
-    worth_in_place,
 )
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.toy import PUSH_LENGTH
@@ -103,10 +100,6 @@ def risen(action, outcome):
     return replace(outcome, peak_height=float(action[6]) if np.any(outcome.effect) else 0.0)
 
 
-def distance(one, other):
-    return sqrt(sum((x - y) ** 2 for x, y in zip(one, other, strict=True)))
-
-
 def naive_worths(effects, chosen):
     found = []
     for place, mine in enumerate(chosen):
@@ -114,7 +107,7 @@ def naive_worths(effects, chosen):
         for category, share in enumerate(effects.shares):
             others = [effects.means[n, category] for at, n in enumerate(chosen) if at != place]
             here = effects.means[mine, category]
-            nearest = min(distance(here, other) for other in [*others, np.zeros(len(here))])
+            nearest = min(np.linalg.norm(here - other) for other in [*others, np.zeros(len(here))])
             total += share * effects.sureness[mine, category] ** 2 * tanh(nearest / PLENTY)
         found.append(total)
     return found
@@ -138,46 +131,6 @@ def some_rivals(seed):
 
 def total(chosen, effects):
     return sum(naive_worths(effects, chosen))
-
-
-def seen(*values, sureness=None):
-    """Say that actions do this to the one object there is."""
-    means = np.array(values, dtype=float)[:, None]
-    return CandidateEffects(means, np.array(sureness or np.ones(len(values)))[:, None], np.ones(1))
-
-
-@pytest.mark.parametrize("count", [1, 2, 7])
-def test_worth_agrees_with_a_naive_computation_whoever_is_in_a_place(count):
-    rng = np.random.default_rng(count)
-    effects = some_deeds(rng, 9, categories=3)
-    chosen = [*rng.permutation(9)[:count].tolist(), 0, 0]  # the same twice, of which neither adds anything
-    for place in range(len(chosen)):
-        naive = [total([*chosen[:place], one, *chosen[place + 1 :]], effects) for one in range(9)]
-        np.testing.assert_allclose(worth_in_place(chosen, place, range(9), effects), naive, rtol=1e-9)
-
-
-def test_something_else_is_preferred_to_doing_the_same_more_surely():
-    effects = seen([0.1, 0.0], [0.1, 0.0], [0.0, 0.1], [0.0, 0.0], sureness=[0.9, 1.0, 0.7, 0.0])
-    assert best_set([[0], [1, 2]], effects) == [0, 2]
-    assert best_set([[0], [1, 3]], effects) == [0, 3]  # even to do nothing
-    effects = seen([0.0, 0.08], [0.0, 0.2], [0.0, 0.01], sureness=[0.9, 0.7, 0.95])
-    assert best_set([[0, 1]], effects) == best_set([[0, 2]], effects) == [0]  # the surest that moves
-
-
-def test_means_and_sureness_are_those_of_each_category():
-    rng = np.random.default_rng(0)
-    values = rng.normal(size=(2, 30, 4)) * 0.1
-    symbols = rng.choice(["00", "01", "11"], size=30)
-    effects = observe(values, symbols)
-    for action in range(2):
-        for column, symbol in enumerate(["00", "01", "11"]):
-            rows = [values[action, i] for i in range(30) if symbols[i] == symbol]
-            mean = sum(rows) / len(rows)
-            square = sum(float(row @ row) for row in rows) / len(rows)
-            np.testing.assert_allclose(effects.means[action, column], mean)
-            sure = float(mean @ mean) / (square + LITTLE**2)
-            assert effects.sureness[action, column] == pytest.approx(sure)
-            assert effects.shares[column] == pytest.approx(len(rows) / 30)
 
 
 def test_best_set_is_nearly_always_the_best_of_all_and_no_single_exchange_makes_it_better():

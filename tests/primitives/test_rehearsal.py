@@ -6,12 +6,10 @@ import numpy as np
 import pytest
 from toy_learning import an_outcome, by_affordance, search
 
-from neurosym.errors import InvalidValue
 from neurosym.operators import OperatorTable, Primitive
 from neurosym.primitives.rehearsal import (
     ROUNDS,
     SHARE,
-    describe_categories,
     modes_of,
     rehearse,
     rehearse_unsure,
@@ -27,14 +25,6 @@ LEFT = Primitive("010", (0, -0.04, 0, 1, 0, 0, 0, 1, 0, 0.04, 0, 1), 0.0)
 
 def table_of(primitives, categorise=by_affordance, **options):
     return tabulate(rehearse(make_world, primitives, categorise, **options), make_world().feature_names)
-
-
-def test_categories_have_their_share_of_objects_and_two_workers_give_the_table_of_one():
-    features = np.array([[0.05, 0.05, 0.05, 0.0]] * 3 + [[0.2, 0.2, 0.05, 0.0]])
-    found = describe_categories(features, np.array(["0", "0", "0", "1"]), make_world().feature_names)
-    assert [(one.symbol, one.share) for one in found] == [("0", 0.75), ("1", 0.25)]
-    one, two = (table_of([GRASP, LEFT], objects=6, seed=1, workers=workers) for workers in (1, 2))
-    assert one == two
 
 
 def test_operators_promise_what_the_toy_world_does():
@@ -99,16 +89,6 @@ def test_modes_tell_how_outcomes_ended_and_how_many_lie_within_the_planning_tole
     assert [(one.kind, one.count, one.near_mean) for one in found] == [(k, c, n) for k, c, _, n in modes]
     for one, (*_, effect, _) in zip(found, modes, strict=True):
         np.testing.assert_allclose(one.effect, effect, atol=1e-9)
-
-
-def test_symbol_that_no_object_has_is_a_category_of_which_nothing_is_known():
-    with pytest.raises(InvalidValue):
-        rehearse(make_world, [], by_affordance, seed=0)
-    table = table_of([GRASP], lambda features: ["10"] * len(features), objects=6, seed=0)
-    assert [category.symbol for category in table.categories] == ["00", "01", "10", "11"]
-    assert [category.share for category in table.categories] == [0.0, 0.0, 1.0, 0.0]
-    assert table.categories[0].name == "unseen-00"
-    assert {operator.category for operator in table.operators} == {"10"}
 
 
 OBJECTS = 60

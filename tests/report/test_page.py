@@ -72,6 +72,8 @@ def test_page_parses_and_loads_nothing(reported):
     assert html_page.references
     assert all(reference.startswith(("data:", "#")) for reference in html_page.references)
     assert not re.search(r"https?:|url\(|@import|<script", text)
+    targets = set(re.findall(r'href="#([^"]+)"', text))
+    assert targets <= set(re.findall(r'id="([^"]+)"', text))
     assert "script" not in html_page.tags
     assert all(image["alt"] and int(image["width"]) > 0 for image in html_page.images)
 
@@ -124,15 +126,6 @@ def test_promises_are_ranked_with_those_on_pairs_and_without_what_is_left_out():
     assert "miss-01-tray-10" not in told
     assert found["worst"]["name"] == [*told][-1] == PUT_ON
     assert promises_of(msgspec.structs.replace(grounding.operators, operators=()), None) is None
-
-
-def test_action_at_hand_is_shown_by_its_anchor_alone(reported):
-    """What is not at hand is not shown, and no script is needed to show it."""
-    text = (reported / "report.html").read_text()
-    assert ".chosen > .card { display: none;" in text
-    assert ".chosen > .card:target, .chosen:target > .card { display: block; }" in text
-    targets = set(re.findall(r'href="#([^"]+)"', text))
-    assert targets <= set(re.findall(r'id="([^"]+)"', text))
 
 
 def test_share_of_what_can_be_foreseen_is_within_its_bar():
@@ -189,12 +182,7 @@ def test_what_is_missing_is_said_with_its_command(tmp_path, capsys):
         assert f"<code>neurosym {command} {folder}" in text
 
 
-def test_damaged_file_is_refused_by_name(folder, capsys):
-    for file in ("training.json", "grounding.json", "primitives.json", "interactions.npz"):
-        whole = (folder / file).read_bytes()
-        (folder / file).write_bytes(b"\x00garbage")
-        assert file in refusal(capsys, "report", folder)
-        (folder / file).write_bytes(whole)
+def test_page_of_another_ending_or_in_no_folder_is_refused(folder, capsys):
     for name in ("page.md", "nowhere/page.html"):
         said = refusal(capsys, "report", folder, "--output", folder / name)
         assert "name a file that ends in .html" in said

@@ -86,10 +86,8 @@ def test_arrows_stay_within_their_drawing_and_pushes_have_shafts(effect: tuple[f
 def test_text_can_be_read_on_every_category():
     def light(colour):
         parts = np.array(colour) / 255
-        return float(
-            np.where(parts <= 0.04045, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
-            @ [0.2126, 0.7152, 0.0722]
-        )
+        linear = np.where(parts <= 0.04045, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
+        return float(linear @ [0.2126, 0.7152, 0.0722])
 
     for colour in CATEGORY_COLOURS:
         ink = 0.0 if ink_on(colour) == "#000" else 1.0

@@ -1,24 +1,29 @@
-"""The robot's world: what actions do, and that they do it again."""
+"""The robot's world: what actions do, and that they do it again; objects are built as their features say."""
 
 import numpy as np
 import pytest
 from standing import CLOSED, OPEN, boxes
 
-from neurosym.errors import InvalidValue
-from neurosym.sim.config import TabletopConfig, pybullet
+from neurosym.errors import InvalidValue, NeurosymError
+from neurosym.sim.config import (
+    MOST_OBJECTS,
+    OPEN_THROUGH,
+    OPEN_TOP,
+    SHAPES,
+    SOLID,
+    TabletopConfig,
+    boxes_of,
+    pybullet,
+)
+from neurosym.sim.interaction import _landing_shift
+from neurosym.sim.simulation import sample_features, sample_scene
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import Outcome, Scene
 
 LIFT = [0, 0, 0, OPEN, 0, 0, 0, CLOSED, 0, 0, 0.03, CLOSED]
 WALL_LIFT = [0, 0.05, 0, OPEN, 0, 0.05, 0, CLOSED, 0, 0.05, 0.03, CLOSED]
-PLACE = [0, 0, 0, OPEN, 0.05, 0.05, 0.02, CLOSED, 0.05, 0.05, 0.05, OPEN]
-PUSHES = {
-    "right": ([0, 0.05, 0, CLOSED, 0, 0, 0, CLOSED, 0, -0.05, 0, CLOSED], (1, -1)),
-    "left": ([0, -0.05, 0, CLOSED, 0, 0, 0, CLOSED, 0, 0.05, 0, CLOSED], (1, 1)),
-    "forward": ([-0.05, 0, 0, CLOSED, 0, 0, 0, CLOSED, 0.05, 0, 0, CLOSED], (0, 1)),
-    "pull": ([0.05, 0, 0, CLOSED, 0, 0, 0, CLOSED, -0.05, 0, 0, CLOSED], (0, -1)),
-}
-
+LEFT = [0, -0.05, 0, CLOSED, 0, 0, 0, CLOSED, 0, 0.05, 0, CLOSED]
+RIGHT = [0, 0.05, 0, CLOSED, 0, 0, 0, CLOSED, 0, -0.05, 0, CLOSED]
 NARROW = (0.03, 0.03, 0.04, 0)
 
 
@@ -38,32 +43,15 @@ def test_grasped_box_hangs_in_the_air_and_is_set_down_where_it_hung(hollow):
     assert aloft.end is aloft.lifted
 
 
-@pytest.mark.parametrize("direction", PUSHES)
-def test_push_moves_the_box_its_way_and_leaves_it_on_the_table(direction):
-    action, (axis, sign) = PUSHES[direction]
-    outcome = perform(boxes((0.05, 0.05, 0.05, 0, 0.65, 0.0)), action)
-    assert 0.06 < sign * outcome.effect[axis] < 0.12
-    assert abs(outcome.effect[1 - axis]) < 0.01
-    assert abs(outcome.effect[2]) < 0.001
-    assert not any((outcome.held, outcome.toppled, outcome.lost))
-
-
-def test_pick_and_place_carries_the_box_and_ends_at_rest():
-    outcome = perform(boxes((0.05, 0.05, 0.05, 0, 0.65, 0.0)), PLACE)
-    assert not outcome.held
-    assert outcome.effect == pytest.approx([0.05, 0.05, 0.0], abs=0.006)
-    assert outcome.peak_height > 0.015
-
-
 def test_what_is_too_wide_tall_and_thin_or_at_the_edge_is_not_lifted_topples_or_is_lost():
     assert perform(boxes((0.1, 0.1, 0.06, 1, 0.65, 0.0)), WALL_LIFT).held
     assert not perform(boxes((0.17, 0.17, 0.06, 0, 0.65, 0.0)), WALL_LIFT).held
-    assert perform(boxes((0.08, 0.03, 0.09, 0, 0.65, 0.0)), PUSHES["left"][0]).toppled
-    assert perform(boxes((0.05, 0.05, 0.05, 0, 0.65, 0.29)), PUSHES["left"][0]).lost
+    assert perform(boxes((0.08, 0.03, 0.09, 0, 0.65, 0.0)), LEFT).toppled
+    assert perform(boxes((0.05, 0.05, 0.05, 0, 0.65, 0.29)), LEFT).lost
 
 
 def test_end_of_an_interaction_is_at_rest_when_it_starts_the_next():
-    outcome = perform(boxes((0.05, 0.05, 0.05, 0, 0.65, 0.0)), PUSHES["left"][0])
+    outcome = perform(boxes((0.05, 0.05, 0.05, 0, 0.65, 0.0)), LEFT)
     following = perform(outcome.end, LIFT)
     assert np.abs(following.start.positions - outcome.end.positions).max() < 5e-4
 
@@ -83,7 +71,7 @@ def test_whatever_hangs_from_the_hand_is_put_down_not_only_the_target(target):
 
 def test_bystander_pushed_off_the_table_is_reported_as_lost():
     scene = boxes((*NARROW, 0.65, -0.22), (*NARROW, 0.65, -0.26))
-    outcome = Tabletop().interact(scene, np.array(PUSHES["right"][0]), 0)
+    outcome = Tabletop().interact(scene, np.array(RIGHT), 0)
     assert (1, "lost") in outcome.disturbed
 
 
@@ -126,3 +114,94 @@ def test_every_scene_is_simulated_with_its_pairs_of_touching_objects_sorted(monk
     assert len(given) >= 2
     assert all(parameters["deterministicOverlappingPairs"] == 1 for parameters in given)
     assert all(parameters["numSolverIterations"] == 50 for parameters in given)
+
+
+# Objects of every shape, and scenes of many of them
+
+WALL = 0.006
+
+
+def extent(boxes):
+    """Sizes of the smallest box around turned boxes, along x, y, z."""
+    low, high = np.full(3, np.inf), np.full(3, -np.inf)
+    for (x, y, z), centre, turn in boxes:
+        half_x = abs(x * np.cos(turn)) + abs(y * np.sin(turn))
+        half_y = abs(x * np.sin(turn)) + abs(y * np.cos(turn))
+        half = np.array([half_x, half_y, z])
+        low, high = np.minimum(low, centre - half), np.maximum(high, centre + half)
+    return high - low
+
+
+@pytest.mark.parametrize(("kind", "parts"), [(SOLID, 1), (OPEN_TOP, 5), (OPEN_THROUGH, 12)])
+def test_object_is_as_large_as_its_features_say(kind, parts):
+    boxes = boxes_of(np.array([0.12, 0.12, 0.05, kind]), WALL)
+    assert len(boxes) == parts
+    assert extent(boxes) == pytest.approx([0.12, 0.12, 0.05], abs=0.004)
+
+
+@pytest.mark.parametrize("shape", SHAPES)
+def test_every_shape_keeps_to_the_ranges_of_the_world(shape):
+    config = TabletopConfig(shapes={shape: 1.0})
+    features = sample_features(config, np.random.default_rng(0), 200)
+    assert features[:, :2].min() >= config.size[0]
+    assert features[:, :2].max() <= config.size[1]
+    assert features[:, 2].min() >= config.height[0]
+    assert features[:, 2].max() <= config.height[1]
+    assert len(set(features[:, 3])) == 1
+
+
+def test_planks_are_flat_and_long_and_rings_are_round_and_drawn_as_often_as_asked():
+    planks = sample_features(TabletopConfig(shapes={"plank": 1.0}), np.random.default_rng(0), 200)
+    rings = sample_features(TabletopConfig(shapes={"ring": 1.0}), np.random.default_rng(0), 200)
+    assert planks[:, 2].max() <= 0.04
+    assert (planks[:, :2].max(axis=1) / planks[:, :2].min(axis=1)).min() > 1.5
+    assert np.array_equal(rings[:, 0], rings[:, 1])
+    config = TabletopConfig(shapes={"box": 3.0, "ring": 1.0})
+    rings = sample_features(config, np.random.default_rng(0), 2000)[:, 3] == OPEN_THROUGH
+    assert rings.mean() == pytest.approx(0.25, abs=0.03)
+
+
+def test_eight_objects_stand_on_the_table_apart_from_one_another():
+    config = TabletopConfig()
+    with pytest.raises(InvalidValue, match="40 objects do not fit"):
+        sample_scene(config, np.random.default_rng(0), 40)
+    for seed in range(20):
+        scene = sample_scene(config, np.random.default_rng(seed), MOST_OBJECTS)
+        np.testing.assert_array_equal(scene.positions[:, 2], scene.features[:, 2] / 2)  # on the table
+        half = scene.features[:, :2] / 2
+        apart = np.abs(scene.positions[:, None, :2] - scene.positions[:, :2]) - (half[:, None] + half)
+        others = ~np.eye(MOST_OBJECTS, dtype=bool)
+        assert apart.max(axis=-1)[others].min() >= config.spawn_gap
+        assert (np.abs(scene.positions[:, 1]) + half[:, 1]).max() <= 0.3
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"shapes": {"sphere": 1.0}}, "no shape 'sphere'; valid: box, open-box, plank, ring"),
+        ({"shapes": {"box": 0.0}}, "a share greater than 0"),
+        ({"size": (30.0, 180.0)}, "lengths are in metres"),
+        ({"table_x": (0.4, 0.5)}, "shorter than the 0.24 m"),
+        ({"size": (0.2, 0.1)}, "put the smaller number first"),
+        ({"mass": -1.0}, "mass = -1.0 must be greater than 0"),
+        ({"spawn_gap": -0.1}, "must not be negative"),
+        ({"wall": 0.05}, "leaves no room inside"),
+        ({"time_step": 1 / 60}, "between 1/2000 and 1/120"),
+    ],
+)
+def test_impossible_world_is_refused_in_one_sentence(options, message):
+    with pytest.raises(NeurosymError, match=message):
+        TabletopConfig(**options)
+
+
+def tilted_about_x(degrees):
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    return np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+
+
+@pytest.mark.parametrize(("degrees", "lands"), [(0, False), (10, True), (30, True), (90, False)])
+def test_tilted_object_shifts_as_it_turns_about_its_lowest_corner_and_one_on_a_face_does_not(degrees, lands):
+    half_y, half_z, angle = 0.05, 0.02, np.radians(degrees)
+    expected = half_y * (1 - np.cos(angle)) + half_z * np.sin(angle)
+    shift = _landing_shift(np.array([0.08, 0.1, 0.04, 0.0]), tilted_about_x(degrees))
+    assert shift == pytest.approx([0.0, expected * lands], abs=1e-9)  # its -y side is low and stays there

@@ -3,10 +3,8 @@
 import pytest
 
 from neurosym.errors import FolderNotFound, InvalidFile, InvalidValue, StageMissing, UnknownChoice
-from neurosym.stages import learning
 from neurosym.stages.folder import DomainFolder, Stage, _command
-from neurosym.stages.learning import AIMS, TO_PLACES
-from neurosym.worlds.toy import make_world
+from neurosym.stages.learning import AIMS
 
 
 @pytest.fixture
@@ -112,9 +110,3 @@ def test_what_makes_it_anew_is_the_same_command_whatever_is_aimed_at(folder, ver
     stages = [(aim.stage(verb), aim.file("training.json")) for aim in AIMS]
     assert len({*stages}) == len(AIMS)
     assert {_command(folder.path, *made) for made in stages} == {f"neurosym {verb} {folder.path}"}
-
-
-def test_a_world_that_cannot_be_acted_on_so_is_refused(monkeypatch):
-    monkeypatch.setattr(learning, "references_of", lambda _: ())
-    with pytest.raises(InvalidValue, match=r"takes no place as a reference.*leave out --places"):
-        TO_PLACES.check_takes(make_world())

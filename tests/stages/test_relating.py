@@ -1,20 +1,15 @@
 """What can be done with pairs is learned in the toy world on the whole way, and compiled into a domain."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from toy_learning import SHORTENED
 
-from neurosym.commands.learn import init
 from neurosym.commands.pipeline import run
 from neurosym.data.interactions import Interactions
-from neurosym.errors import NeurosymError
 from neurosym.learning.training_config import REGIMES
 from neurosym.pair_operators import PairStates, RelationOperators
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder, load_scene
-from neurosym.stages.learning import TO_OBJECTS, explore_stage
 from neurosym.stages.problem_making import Asked, problem_stage, sight_of_pairs
 
 STEPS = 160
@@ -43,18 +38,6 @@ def test_what_carries_is_tried_with_other_objects_and_brings_pairs_into_states(f
     table = RelationOperators.load(folder / layout.RELATION_OPERATORS)
     assert max(one.promise.share for one in table.operators if one.promise) > 0.5
     assert len({one.name for one in table.operators}) == len(table.operators)
-
-
-@pytest.mark.parametrize(
-    ("world", "said"),
-    [("toy", "takes no object as a reference"), ("toy-relations", r"effect_model\.safetensors")],
-)
-def test_what_objects_and_places_are_must_be_known(tmp_path: Path, world: str, said: str):
-    init(tmp_path / "toy", world=world)
-    domain = DomainFolder(tmp_path / "toy")
-    stage = explore_stage(domain, TO_OBJECTS, strategy="random", steps=8, seed=0, regime="quick", workers=1)
-    with pytest.raises(NeurosymError, match=said):
-        domain.perform(stage, again=True)
 
 
 def test_domain_has_relations_and_problems_say_what_is_foreseen(folder: DomainFolder):

@@ -4,6 +4,7 @@ import json
 import os
 import threading
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -57,14 +58,8 @@ def test_claim_is_given_back_whatever_happens(tmp_path: Path):
 def at_the_same_time(work: Callable[[int], object], count: int) -> None:
     """Have threads do something with their numbers, all at once."""
     together = threading.Barrier(count)
-    threads = [
-        threading.Thread(target=lambda number: (together.wait(), work(number)), args=(number,))
-        for number in range(count)
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    with ThreadPoolExecutor(count) as pool:
+        [*pool.map(lambda number: (together.wait(), work(number)), range(count))]
 
 
 def test_no_record_of_stages_at_the_same_time_is_lost(tmp_path: Path):

@@ -5,9 +5,8 @@ from contextlib import contextmanager
 
 import numpy as np
 import pytest
-import viser
 from places import SHIPPED
-from studio_pages import session_on, shipped_library, wait_for, workers
+from studio_pages import page_on, session_on, shipped_library, wait_for, workers
 
 from neurosym.colours import Palette
 from neurosym.contract import Part
@@ -16,10 +15,8 @@ from neurosym.files import read_json
 from neurosym.planners import PlanStatus
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.studio import words
-from neurosym.studio.page import Page
 from neurosym.studio.panels import TablePanel
 from neurosym.studio.plan_words import lanes, lines_of, pddl_page, plan_list
-from neurosym.studio.server import PANELS
 from neurosym.studio.tour import CARDS, TourPanel
 from neurosym.studio.view import Grab, circle, mesh_of, rectangle
 from neurosym.tasks.task import understand
@@ -102,14 +99,10 @@ def test_plans_and_runs_are_told_with_their_steps_and_promises():
 
 @contextmanager
 def shown(library):
-    """A page that nobody looks at, by the kinds of its panels."""
-    with workers() as both, session_on(library, both) as session:
-        server = viser.ViserServer("127.0.0.1", 0, verbose=False)
-        page = Page(server, session, PANELS)
+    """The panels of a page that nobody looks at, by their kinds."""
+    with workers() as both, session_on(library, both) as session, page_on(session) as page:
         session.running.steer(speed=0.0)
         yield {type(panel): panel for panel in page.panels}
-        page.close()
-        server.stop()
 
 
 @pytest.fixture

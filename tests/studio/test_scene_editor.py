@@ -18,12 +18,9 @@ from neurosym.studio.scene_editor import (
     moved,
     relation_of_drop,
     resized,
-    under,
     why_not_there,
     with_goal,
     with_object,
-    with_relation,
-    without_goal,
     without_object,
 )
 from neurosym.tasks.task import Task, understand
@@ -72,15 +69,6 @@ def test_objects_are_added_by_the_first_free_name_where_there_is_room_and_taken_
         assert np.hypot(x - middle[0], y - middle[1]) < 0.11
     with pytest.raises(InvalidValue, match="no room"):
         free_spot(SCENE, (1.5, 1.5, 0.05, 0.0), TABLE, (0.6, 0.0))
-
-
-def test_object_has_one_goal_on_the_table_or_by_relation():
-    related = with_relation(SCENE, ("item-01", "item-02", REST))
-    assert (related.goals, related.related) == ({}, (("item-01", "item-02", REST),))
-    lying = ("item-01", "item-02", LIE)
-    assert with_relation(related, lying).related == (lying,)
-    assert with_goal(related, "item-01", 0.6, 0.16) == with_goal(SCENE, "item-01", 0.6, 0.16)
-    assert without_goal(related, "item-01") == without_goal(SCENE, "item-01")
 
 
 def test_what_was_seen_of_contacts_and_pairs_is_forgotten_with_what_it_was_about():
@@ -133,21 +121,9 @@ def test_ghosts_stand_on_ghosts_as_operators_promise():
     assert spots["item-01"] == pytest.approx((0.5, 0.1, 0.125))
     placed = with_goal(tower(), "item-02", 0.8, 0.0)
     assert ghost_spots(task(placed))["item-01"] == pytest.approx((0.8, 0.0, 0.125))
+    dropped = task(with_goal(tower(), "item-02", 0.7, -0.1))  # where its own load is now
+    assert relation_of_drop(dropped, "item-02") is None
     assert ghost_spots(task(sorting()))["item-01"] == pytest.approx((0.8, -0.15, 0.03 + 0.09 * 0.055))
-
-
-@pytest.mark.parametrize(
-    ("name", "x", "y", "below", "goal"),
-    [
-        ("item-04", 0.5, 0.1, ("item-01", "item-03", "item-02"), ("item-04", "item-01", REST)),
-        ("item-04", 0.6, 0.0, (), None),
-        ("item-02", 0.7, -0.1, (), None),  # where its own load is now
-    ],
-)
-def test_drop_is_on_the_highest_ghost_that_something_leads_to(name, x, y, below, goal):
-    dropped = task(with_goal(tower(), name, x, y))
-    assert under(dropped, name, ghost_spots(dropped)) == below
-    assert relation_of_drop(dropped, name) == goal
 
 
 def test_drop_takes_the_state_that_the_pair_is_brought_to_most_surely():

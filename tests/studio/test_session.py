@@ -1,16 +1,17 @@
 """What a page does, without a browser: set the table, plan, run, nudge, stop, and take everything away."""
 
 import asyncio
+import shutil
 from pathlib import Path
 from types import SimpleNamespace
 
 import msgspec
 import numpy as np
 import pytest
-import viser
 from command_line import neurosym
 from places import ROOT, SHIPPED
 from studio_pages import (
+    page_on,
     planned,
     ran,
     relations_library,
@@ -24,9 +25,11 @@ from toy_relations import LIE, REST, scene, sorting, tower, tower_at_place
 
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
+from neurosym.studio.messages import Controls, Planned, Seen, Word
 from neurosym.studio.page import Page
 from neurosym.studio.scene_editor import with_goal
-from neurosym.studio.server import PANELS
+from neurosym.studio.session import furnished_room
+from neurosym.studio.studio_workers import DIED, STOPPED, Workers, draw, plan, run
 
 CUBE = (0.05, 0.05, 0.05, 0.0)
 PLAIN = Problem(
@@ -191,33 +194,29 @@ def test_record_is_byte_for_byte_what_the_command_line_writes(tabletop, tmp_path
 
 
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
-def test_tries_are_counted_and_an_effect_stays_until_the_table_is_asked_for(tabletop):
-    tabletop.load("task-15")
-    running, name = tabletop.running, "item-01"
-    server = viser.ViserServer("127.0.0.1", 0, verbose=False)
-    page = Page(server, tabletop, PANELS)
-    running.steer(speed=0.0)
-    running.try_ten(name, tabletop.unsure(name).operator.name)
-    wait_for(lambda: not running.is_active)
-    kept = sum(one.keeps(running.promise) for one in running.tries)
-    assert len({one.start for one in running.tries}) == 10
-    assert tabletop.word.text.startswith(f"{kept} of 10 as promised; promised ")
-    before = tabletop.problem.object_named(name).position
-    surest = tabletop.promises(name)[0]
-    running.perform(name, tabletop.library.grounding.primitive_of(surest.operator).action)
-    wait_for(lambda: not running.is_active)
-    (tried,) = running.tries
-    assert tried.keeps(surest)
-    wait_for(lambda: page.view.at(name) == pytest.approx(tried.end, abs=1e-3))
-    tabletop.reset()
-    wait_for(lambda: page.view.at(name) == pytest.approx(before, abs=1e-3))
-    assert not running.has_ended
-    category = tabletop.problem.object_named(name).category
-    body = page.view._objects[name].nodes[0]
-    assert tuple(body.color) == page.view.palette(category)
-    page._is_closed = True
-    page.hear("status")
-    server.stop()
+def test_tries_are_counted_and_an_effect_stays_until_the_table_is_asked_for(both):
+    with session_on(shipped_library(), both) as session, page_on(session) as page:
+        tabletop, running, name = page.session, page.session.running, "item-01"
+        tabletop.load("task-15")
+        running.steer(speed=0.0)
+        running.try_ten(name, tabletop.unsure(name).operator.name)
+        wait_for(lambda: not running.is_active)
+        kept = sum(one.keeps(running.promise) for one in running.tries)
+        assert len({one.start for one in running.tries}) == 10
+        assert tabletop.word.text.startswith(f"{kept} of 10 as promised; promised ")
+        before = tabletop.problem.object_named(name).position
+        surest = tabletop.promises(name)[0]
+        running.perform(name, tabletop.library.grounding.primitive_of(surest.operator).action)
+        wait_for(lambda: not running.is_active)
+        (tried,) = running.tries
+        assert tried.keeps(surest)
+        wait_for(lambda: page.view.at(name) == pytest.approx(tried.end, abs=1e-3))
+        tabletop.reset()
+        wait_for(lambda: page.view.at(name) == pytest.approx(before, abs=1e-3))
+        assert not running.has_ended
+        category = tabletop.problem.object_named(name).category
+        body = page.view._objects[name].nodes[0]
+        assert tuple(body.color) == page.view.palette(category)
 
 
 def test_margins_say_on_which_side_of_its_flip_each_bit_is(tabletop):
@@ -322,12 +321,8 @@ def test_goals_by_relation_are_planned_for_and_reached(stacks):
 
 @pytest.fixture
 def page(stacks):
-    """A page that nobody looks at."""
-    server = viser.ViserServer("127.0.0.1", 0, verbose=False)
-    opened = Page(server, stacks, PANELS)
-    yield opened
-    opened.close()
-    server.stop()
+    with page_on(stacks) as opened:
+        yield opened
 
 
 def drag(page: Page, name: str, *to: tuple[float, float]) -> None:
@@ -378,3 +373,55 @@ def test_drop_that_nothing_leads_to_is_said_and_the_goal_is_as_before(page):
     session.aim("item-02", 0.5, 0.2)
     drag(page, "item-02", (0.5, 0.0), (0.5, -0.2))  # on what shall rest on it
     assert session.problem.goals["item-02"] == pytest.approx((0.5, -0.2, 0.025))
+
+
+# Work waits in line, shows its place, is stopped, and a process that dies takes only its own with it
+
+
+@pytest.fixture
+def library(tmp_path):
+    return toy_library(tmp_path / "toy")
+
+
+@pytest.fixture
+def room(library):
+    made = furnished_room(library.folder)
+    yield made
+    shutil.rmtree(made)
+
+
+@pytest.fixture
+def one_worker():
+    made = Workers(1)
+    yield made
+    made.close()
+
+
+def test_line_shows_places_and_gives_up_what_is_stopped(library, room, one_worker):
+    said, given = [[] for _ in range(3)], (library.first_problem(), "counting", False)
+    tickets = [one_worker.submit(heard.append, plan, room, *given) for heard in said]
+    assert [ticket.place for ticket in tickets] == [0, 1, 2]
+    tickets[1].stop()
+    assert said[1] == [Word(STOPPED, is_bad=True)]
+    assert tickets[2].place <= 1
+    wait_for(lambda: said[0] and said[2])
+    assert isinstance(said[2][-1], Planned)
+
+
+def test_crash_is_told_of_its_run_only_and_a_room_is_written_alone(one_worker):
+    library, said, name = shipped_library(), [], "task-03"
+    room = furnished_room(library.folder)
+    try:
+        assert (room / "domain.pddl").read_bytes() == (library.folder / "domain.pddl").read_bytes()
+        assert (room / "problems" / "task-01.scene.json").is_symlink()
+        assert not (room / "interactions.npz").exists()
+        given = name, f"plans/{name}.fast-downward.plan", "fast-downward", 0, Controls(0.05)
+        ticket = one_worker.submit(said.append, run, room, *given)
+        wait_for(lambda: any(isinstance(one, Seen) for one in said))
+        ticket._child.process.kill()
+        wait_for(lambda: said[-1] == Word(DIED, is_bad=True))
+        one_worker.submit(said.append, draw, room, "drawn", 1, 0, None)
+        wait_for(lambda: getattr(said[-1], "name", "") == "drawn")
+    finally:
+        shutil.rmtree(room)
+    assert (library.folder / "domain.pddl").is_file()

@@ -1,4 +1,4 @@
-"""Worlds of one's own: they go the whole way, and what is wrong with one is said in a sentence."""
+"""Worlds of one's own, and `world.toml`: they go the whole way, and what is wrong is said in a sentence."""
 
 import pickle
 import re
@@ -7,12 +7,14 @@ import sys
 
 import pytest
 from command_line import neurosym, refusal
+from documents import python_blocks
 from places import DOCS
 
 from neurosym.data.interactions import Interactions
-from neurosym.worlds.world_file import default_text, read_world
+from neurosym.errors import InvalidFile, UnknownChoice
+from neurosym.worlds.world_file import WORLDS, default_text, make_world, read_world
 
-DOCUMENT = DOCS / "own-world.md"
+WORLD, GYMNASIUM = python_blocks("own-world.md")
 SLIDER = """
 from dataclasses import replace
 from neurosym.worlds.toy import ToyConfig, ToyWorld
@@ -86,18 +88,13 @@ def test_data_say_which_world_and_options_they_come_from_whatever_the_workers(he
     assert origin["world_options"] == {"reach": 0.2, "marks": ["a", "b"]}
 
 
-def documented() -> list[str]:
-    """The Python blocks of the document: a world, and its use with Gymnasium."""
-    return re.findall(r"```python\n(.*?)```", DOCUMENT.read_text(), flags=re.DOTALL)
-
-
 def test_documented_world_goes_the_whole_way_as_an_installed_command(here):
-    (here / "my_world.py").write_text(documented()[0])
-    assert len(documented()[0].splitlines()) < 40
+    (here / "my_world.py").write_text(WORLD)
+    assert len(WORLD.splitlines()) < 40
     command = "from neurosym.commands.cli import main; main()"  # like the console script: not from the folder
     learn = ["--steps", "256", "--strategy", "random", "--regime", "quick", "--workers", "1"]
     rest = ["--rehearsals", "12", "--problems", "1"]
-    typed = re.search(r"`neurosym (run \S+ --world \S+)`", DOCUMENT.read_text())[1].split()
+    typed = re.search(r"`neurosym (run \S+ --world \S+)`", (DOCS / "own-world.md").read_text())[1].split()
     ended = subprocess.run(
         [sys.executable, "-P", "-c", command, *typed, *learn, *rest], capture_output=True, text=True
     )
@@ -108,7 +105,7 @@ def test_documented_world_goes_the_whole_way_as_an_installed_command(here):
 
 
 def test_documented_use_with_gymnasium_works(capsys):
-    exec(compile(documented()[1], str(DOCUMENT), "exec"), {})
+    exec(GYMNASIUM, {})
     assert re.match(r"[-\de.]+ (resting|held|toppled|lost) \[", capsys.readouterr().out)
 
 
@@ -169,3 +166,44 @@ def test_run_refuses_another_world_of_ones_own_than_the_folders_and_init_one_wit
     assert "of the world 'toy', not 'slider:make'" in said
     assert "has a memory" in refusal(capsys, "init", "mine", "--world", "slider:forgetful")
     assert not (here / "mine").exists()
+
+
+# `world.toml`: what goes in comes out, and mistakes are named
+
+
+@pytest.mark.parametrize("name", sorted(WORLDS))
+def test_written_world_reads_back_with_its_defaults_also_in_a_worker(name, tmp_path):
+    (tmp_path / "world.toml").write_text(default_text(name, tmp_path))
+    read = pickle.loads(pickle.dumps(read_world(tmp_path / "world.toml")))
+    assert read().config == make_world(name, {}).config
+
+
+def test_options_reach_the_world_and_an_unknown_one_hints_at_ones_own(tmp_path):
+    path = tmp_path / "world.toml"
+    path.write_text('world = "tabletop"\n[options]\nlift_height = 0.1\ntable_y = [-0.2, 0.2]\n')
+    world = read_world(path)()
+    assert (world.lift_height, world.table.y) == (0.1, (-0.2, 0.2))
+    said = "valid: tabletop, toy, toy-relations, your own as module:factory"
+    for call in (lambda: make_world("moon", {}), lambda: default_text("moon", tmp_path)):
+        with pytest.raises(UnknownChoice, match=said):
+            call()
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("not toml", "not TOML"),
+        ('world = "moon"', "no world 'moon'; valid: tabletop, toy"),
+        ('world = "tabletop"\n[options]\nlift = 1', "no option 'lift'; valid: .*lift_height"),
+        ('world = "tabletop"\n[options]\nmass = "heavy"', "wrong type: .*float"),
+        ('world = "toy"\n[options]\nlift_height = nan', "lift_height = nan must be a finite number"),
+        ('world = "toy"\n[options.table]\nx = [0, 1]\ny = [0, 1]\nz = [0, 1]', "'table.z'; valid: table.x"),
+        ("[options]", 'must hold world = "NAME"'),
+    ],
+)
+def test_mistakes_are_named_with_the_file(text, message, tmp_path):
+    path = tmp_path / "world.toml"
+    path.write_text(text)
+    with pytest.raises(InvalidFile, match=message) as caught:
+        read_world(path)
+    assert str(path) in str(caught.value)

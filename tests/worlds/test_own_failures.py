@@ -119,10 +119,7 @@ def commands(folder):
 
 @pytest.mark.parametrize(
     ("command", "deed"),
-    [
-        *((command, "raising") for command in commands(Path("folder"))),
-        ("execute", "gone"),
-    ],
+    [*((command, "raising") for command in commands(Path("folder"))), ("execute", "gone")],
 )
 def test_commands_refuse_a_bad_world_in_one_sentence(here, folder, command, deed, capsys):
     (here / "new").mkdir()

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from places import SHIPPED
 from toy_domain import WORLD as TOY
+from toy_learning import Changed
 from toy_relations import KINDS, LIE, REST, WORLD, grounding
 
 from neurosym.errors import InvalidValue, UnknownChoice
@@ -18,19 +19,9 @@ from neurosym.sim.tabletop import Tabletop
 from neurosym.stages.problem_making import draw_any_task
 from neurosym.tasks.supports import bearers_of
 from neurosym.tasks.task import footprints_apart, overlapping, unmet_relations
-from neurosym.world import Scene, Table
+from neurosym.world import Table
+from neurosym.worlds import task_drawing
 from neurosym.worlds.relation_tasks import draw_relation_task
-from neurosym.worlds.task_drawing import (
-    AWAY,
-    CROWDED,
-    ROW_GAP,
-    NoRoom,
-    draw_places,
-    draw_problem,
-    draw_task,
-    set_problem,
-)
-from neurosym.worlds.toy import ToyConfig, ToyWorld
 from neurosym.worlds.toy_relations import ToyRelations
 
 
@@ -38,17 +29,8 @@ def categorise(features: np.ndarray) -> tuple[str, ...]:
     return tuple("10" if row[3] >= 0.5 else "00" for row in features)
 
 
-class _StuckWorld(ToyWorld):
-    """Solid objects too wide to grasp and too long to push."""
-
-    def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
-        scene = super().sample_scene(rng, objects)
-        scene.features[:, 3] = 0.0
-        return scene
-
-
 def draw(seed: int, objects: int = 1):
-    return draw_problem(TOY, categorise, name="task", objects=objects, seed=seed)
+    return task_drawing.draw_problem(TOY, categorise, name="task", objects=objects, seed=seed)
 
 
 @pytest.mark.parametrize("objects", [1, 2])
@@ -65,10 +47,10 @@ def test_no_drawn_problem_is_met_at_its_start_and_every_goal_is_on_the_table(obj
 
 
 def test_several_actions_each_begin_at_rest_and_nothing_that_moves_is_reported():
-    stuck = _StuckWorld(ToyConfig(sizes=(0.17, 0.18)))
+    stuck = Changed(lambda _, action: 0 * action)
     with pytest.raises(InvalidValue, match="None of 1000 random actions"):
-        draw_problem(stuck, categorise, name="task", objects=1, seed=0)
-    problem = draw_problem(TOY, categorise, name="task", objects=3, actions=4, seed=5)
+        task_drawing.draw_problem(stuck, categorise, name="task", objects=1, seed=0)
+    problem = task_drawing.draw_problem(TOY, categorise, name="task", objects=3, actions=4, seed=5)
     assert problem.provenance.startswith("drawn with seed 5: 4 random actions on item-0")
     aloft = [
         name for name, goal in problem.goals.items() if goal[2] > problem.object_named(name).position[2] + 0.1
@@ -78,7 +60,7 @@ def test_several_actions_each_begin_at_rest_and_nothing_that_moves_is_reported()
 
 
 def test_goal_set_by_hand_rests_on_the_table_unless_it_says_otherwise():
-    problem = set_problem(
+    problem = task_drawing.set_problem(
         TOY, categorise, {"item-01": (0.7, 0.1), "item-02": (0.6, 0.0, 0.2)}, name="t", objects=2, seed=0
     )
     assert problem.goals["item-01"] == (0.7, 0.1, problem.objects[0].position[2])
@@ -95,7 +77,7 @@ def test_goal_set_by_hand_rests_on_the_table_unless_it_says_otherwise():
 )
 def test_impossible_goals_are_refused_in_one_sentence(goals, message):
     with pytest.raises(InvalidValue, match=message):
-        set_problem(TOY, categorise, goals, name="t", objects=1, seed=0)
+        task_drawing.set_problem(TOY, categorise, goals, name="t", objects=1, seed=0)
 
 
 TABLETOP = Tabletop()
@@ -103,7 +85,9 @@ CATEGORISE = EffectModel.load(SHIPPED / "effect_model.safetensors").object_symbo
 
 
 def drawn(kind, objects, seed, **options) -> Problem:
-    return draw_task(TABLETOP, CATEGORISE, kind, name="drawn", objects=objects, seed=seed, **options)
+    return task_drawing.draw_task(
+        TABLETOP, CATEGORISE, kind, name="drawn", objects=objects, seed=seed, **options
+    )
 
 
 def starts_and_goals(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
@@ -130,7 +114,7 @@ def test_starts_and_goals_are_on_the_table_and_apart(kind, objects):
         np.testing.assert_array_equal(task.scene().positions[:, 2], task.goal_positions()[:, 2])
         starts, ends = starts_and_goals(task)
         for row in range(objects if kind in ("anywhere", "crowded") else 0):
-            assert math.dist(starts[row], ends[row]) >= AWAY
+            assert math.dist(starts[row], ends[row]) >= task_drawing.AWAY
             later = np.arange(objects) > row
             assert not overlapping(ends[row], starts[later], footprints_apart(task)[row, later]).any()
 
@@ -147,8 +131,8 @@ def test_what_fits_is_as_asked_and_starts_reach_the_edges_of_the_table():
     assert np.any(np.minimum(spots - low, high - spots) < 0.1)
     table, rng = Table((0.0, 1.0), (0.0, 1.0)), np.random.default_rng(0)
     for sizes, starts in ((np.full((2, 2), 0.8), None), (np.full((1, 2), 0.95), np.array([[0.5, 0.5]]))):
-        with pytest.raises(NoRoom):  # for both; anywhere far enough
-            draw_places(rng, sizes, table, starts)
+        with pytest.raises(task_drawing.NoRoom):  # for both; anywhere far enough
+            task_drawing.draw_places(rng, sizes, table, starts)
 
 
 def test_swaps_rows_and_crowds_are_what_they_are_called():
@@ -159,12 +143,14 @@ def test_swaps_rows_and_crowds_are_what_they_are_called():
     _, goals = starts_and_goals(row)
     assert set(goals[:, 0].tolist()) == {sum(TABLETOP.table.x) / 2}
     widths = np.array([item.features[1] for item in row.objects])
-    np.testing.assert_allclose(np.diff(goals[:, 1]), (widths[1:] + widths[:-1]) / 2 + ROW_GAP)
+    np.testing.assert_allclose(np.diff(goals[:, 1]), (widths[1:] + widths[:-1]) / 2 + task_drawing.ROW_GAP)
     crowd = drawn("crowded", 4, 0)
     starts, _ = starts_and_goals(crowd)
     apart = footprints_apart(crowd)
     for number in range(1, 4):
-        assert overlapping(starts[number], starts[:number], apart[number, :number] + CROWDED).any()
+        assert overlapping(
+            starts[number], starts[:number], apart[number, :number] + task_drawing.CROWDED
+        ).any()
 
 
 @pytest.mark.parametrize(

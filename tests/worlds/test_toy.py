@@ -1,13 +1,11 @@
 """The toy worlds keep the rules written at their heads."""
 
-import pickle
-
 import numpy as np
 import pytest
 
 from neurosym.errors import InvalidValue
-from neurosym.world import OtherObject, Place, Scene, Table
-from neurosym.worlds.toy import ToyConfig, ToyWorld, make_world
+from neurosym.world import OtherObject, Place, Scene
+from neurosym.worlds.toy import ToyConfig, make_world
 from neurosym.worlds.toy_relations import WALL, ToyRelations, let_down, loads_on
 
 SMALL, WIDE, HOLLOW, LONG, LONG_WIDE = (
@@ -68,25 +66,6 @@ def test_an_object_pushed_over_the_edge_is_lost_and_only_the_target_moves():
     np.testing.assert_array_equal(outcome.end.positions[others], scene.positions[others])
 
 
-@pytest.mark.parametrize(
-    ("features", "action", "carried"),
-    [
-        (SMALL, CARRY, True),
-        (HOLLOW, CARRY, True),
-        (WIDE, CARRY, False),
-        (SMALL, action_of(last=(0.03, 0, 0, 1.0)), False),  # nothing is pushed
-        (SMALL, action_of((0, 0, 0, 0.0), (0, 0, 0, 0.0)), False),  # a closed hand grasps nothing
-    ],
-)
-def test_with_a_place_what_can_be_grasped_is_carried_there(features, action, carried):
-    scene = scene_of(features)
-    outcome = WORLD.interact(scene, action, 0, reference=Place(0.5, 0.2))
-    assert outcome.carried is carried
-    assert not outcome.held
-    end = [0.51, 0.17, features[2] / 2] if carried else scene.positions[0]
-    np.testing.assert_allclose(outcome.end.positions[0], end, atol=1e-12)
-
-
 def test_sampled_objects_do_not_overlap_stand_on_the_table_and_are_those_of_their_seed():
     for seed in range(20):
         scene, again = (WORLD.sample_scene(np.random.default_rng(seed), 5) for _ in range(2))
@@ -112,16 +91,6 @@ def test_what_cannot_be_is_refused(call, said):
         call()
 
 
-def test_frames_show_the_object_moving_and_the_world_goes_to_other_processes():
-    frames = []
-    WORLD.interact(scene_of(SMALL), PUSH, 0, on_frame=lambda frame, _phase: frames.append(frame))
-    assert frames[0].shape == (480, 640, 3)
-    assert not np.array_equal(frames[0], frames[-1])
-    world = make_world(ToyConfig(table=Table(x=(0.0, 2.0), y=(-1.0, 1.0))))
-    copy = pickle.loads(pickle.dumps(world))
-    assert (type(copy), copy.config) == (ToyWorld, world.config)
-
-
 # With relations
 
 CARRY_TO = action_of(middle=(0, 0, 0, 0.0), last=(0, 0, 0, 0.0))
@@ -141,23 +110,6 @@ def scene(*rows: tuple[tuple[float, ...], float, float, float]) -> Scene:
 
 def put(before: Scene, target: int, reference: OtherObject | Place = ON, action=CARRY_TO):
     return RELATIONS.interact(before, action, target, reference=reference)
-
-
-@pytest.mark.parametrize(
-    ("before", "reference", "kind", "end", "contacts"),
-    [
-        (scene((CUBE, 0.5, 0, 0), (SLAB, 0.8, 0.1, 0)), ON, "carried", (0.8, 0.1, 0.065), ((0, 1),)),
-        # a tray does not fit into one of its size, and stands on its rim
-        (scene((TRAY, 0.5, 0, 0), (TRAY, 0.8, 0.1, 0)), ON, "carried", (0.8, 0.1, 0.09), ((0, 1),)),
-        # what is taken from another comes down
-        (scene((CUBE, 0.8, 0.1, 0.04), (SLAB, 0.8, 0.1, 0)), DOWN, "carried", (0.5, -0.1, 0.025), ()),
-        (scene((WIDE, 0.5, 0, 0), (SLAB, 0.8, 0.1, 0)), ON, "missed", (0.5, 0, 0.02), ()),
-    ],
-)
-def test_object_is_put_on_another_or_taken_from_it(before, reference, kind, end, contacts):
-    outcome = put(before, 0, reference)
-    assert (outcome.kind, outcome.contacts) == (kind, contacts)
-    np.testing.assert_allclose(outcome.end.positions[0], end)
 
 
 def test_cube_is_put_on_the_floor_of_a_tray_and_the_next_one_on_it_or_beside_it():

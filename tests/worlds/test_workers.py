@@ -9,9 +9,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from child_deeds import is_up, refused, unreadable
 from places import ROOT
-from worker_tasks import Deadly, some_tasks
+from worker_tasks import Deadly, is_up, refused, some_tasks, unreadable
 
 from neurosym.errors import CannotStart, InvalidFile, InvalidValue
 from neurosym.worlds.processes import Child
@@ -73,10 +72,7 @@ def is_there(process: int) -> bool:
 
 
 def test_what_a_worker_cannot_do_first_is_told_by_its_sentence_and_what_it_prints_is_seen(capfd):
-    with (
-        pytest.raises(InvalidFile, match="not enough memory to read it"),
-        worker_pool(2) as submit,
-    ):
+    with pytest.raises(InvalidFile, match="not enough memory to read it"), worker_pool(2) as submit:
         submit(refused).result()
     assert capfd.readouterr().err == ""
     with worker_pool(1) as submit:

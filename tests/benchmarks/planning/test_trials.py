@@ -66,34 +66,30 @@ def test_interval_of_promises_holds_the_rms_and_is_wide_where_one_run_decides():
 
 def test_step_that_puts_down_is_measured_where_the_object_lies():
     domain, task = grounding(), problem({"item-01": (0.68, 0.08, 0.025)})
-    lift = next(op for op in domain.live if op.promise and op.promise.kind == "held")
     name, item = task.object_names[0], task.objects[0]
+
+    def error_of(operator, aim, off, **happened) -> float:
+        after = tuple(np.add(item.position, [aim[0] + off[0], aim[1] + off[1], 0.0]))
+        effect, promised = domain.displacement(operator), operator.promise.kind
+        record = StepRecord(
+            operator.name, name, promised, effect, "held", (0.0, 0.0, 0.3), 0.2, True, {name: after}
+        )
+        run = Run(
+            task.name,
+            (),
+            (msgspec.structs.replace(record, **happened),),
+            True,
+            {name: 0.01},
+            "",
+            ended="goal",
+        )
+        return trials.shortened(run, task, domain).steps[0].error
+
+    lift, push = (next(op for op in domain.live if op.promise.kind == kind) for kind in ("held", "resting"))
     aim = trials.resting_promise(lift.name, item, 0.05, domain)
-    after = (item.position[0] + aim[0] + 0.003, item.position[1] + aim[1] + 0.004, item.position[2])
-    record = StepRecord(
-        operator=lift.name,
-        object=name,
-        promised="held",
-        promised_effect=domain.displacement(lift),
-        happened="held",
-        effect=(0.0, 0.0, 0.3),
-        deviation=0.2,
-        as_promised=True,
-        positions={name: after},
-    )
-    run = Run(task.name, (), (record,), True, {name: 0.01}, "", ended="goal")
-    (kept,) = trials.shortened(run, task, domain).steps
-    assert kept.error == pytest.approx(5.0, abs=0.1)
-    push = next(op for op in domain.live if op.promise and op.promise.kind == "resting")
-    far = domain.displacement(push)
-    after = (item.position[0] + far[0] + 0.006, item.position[1] + far[1] + 0.008, item.position[2])
-    caught = msgspec.structs.replace(
-        record, operator=push.name, promised="resting", promised_effect=far, positions={name: after}
-    )
-    caught_run = msgspec.structs.replace(run, steps=(caught,))
-    assert trials.shortened(caught_run, task, domain).steps[0].error == pytest.approx(10.0, abs=0.1)
-    held = msgspec.structs.replace(run, steps=(msgspec.structs.replace(record, put_down=False),))
-    assert trials.shortened(held, task, domain).steps[0].error == pytest.approx(200.0)
+    assert error_of(lift, aim, (0.003, 0.004)) == pytest.approx(5.0, abs=0.1)
+    assert error_of(push, domain.displacement(push), (0.006, 0.008)) == pytest.approx(10.0, abs=0.1)
+    assert error_of(lift, aim, (0.003, 0.004), put_down=False) == pytest.approx(200.0)
 
 
 def test_task_is_planned_once_and_followed_both_ways():

@@ -1,6 +1,7 @@
-"""What the evaluation of planning counts, and what it writes before anything is measured."""
+"""What the evaluations of planning and of learning count, and what they write before anything is measured."""
 
 import json
+from pathlib import Path
 
 import msgspec
 import pytest
@@ -12,7 +13,10 @@ from neurosym.planners import PlanStatus
 from neurosym.problems import Problem, SceneObject
 from tools.benchmarks.domains import bench_of
 from tools.benchmarks.jobs import Evaluation, pack, unpack
-from tools.benchmarks.planning import evaluate, jobs, summary, tables, tasks
+from tools.benchmarks.learning import evaluate as learning
+from tools.benchmarks.learning import measures
+from tools.benchmarks.learning.tables import page as learning_page
+from tools.benchmarks.planning import summary, tables, tasks
 
 
 def execution(reached: bool, **changes: object) -> Execution:
@@ -72,20 +76,6 @@ def test_symbolic_shares_are_of_the_tasks_that_the_other_planner_solves():
     assert summary.whole([cell, cell])["valid_share"] == pytest.approx(2 / 3)
 
 
-def test_nothing_measured_is_written_as_nothing_and_counted(tmp_path):
-    agenda = jobs.Agenda(tmp_path, jobs.size_of(1, 2560))
-    evaluate.write_results(Evaluation("planning", tmp_path, tmp_path), agenda)
-    told = json.loads((tmp_path / "planning.json").read_text())
-    keys = {"valid_share", "solved_when_bfs_solves", "table3", "scaling", "command", "versions"}
-    assert keys <= set(told)
-    assert told["table3"]["curiosity"] == {"single": {}, "double": {}}
-    assert told["valid_share"] is None
-    assert f"**Not finished**: {told['missing']} jobs" in (tmp_path / "planning.md").read_text()
-    assert "not measured yet" in (tmp_path / "scaling.md").read_text()
-    for name in ("planning.png", "scaling.png"):
-        assert (tmp_path / name).stat().st_size > 1000
-
-
 @pytest.mark.parametrize("objects", [1, 6])
 def test_symbolic_task_can_be_solved_and_none_of_its_objects_is_at_its_goal(objects):
     bench = bench_of(ROOT / "domains/tabletop")
@@ -101,6 +91,8 @@ def test_published_pages_tell_what_was_measured():
     assert tables.page(told) == (results / "planning.md").read_text()
     assert tables.scaling_page(told) == (results / "scaling.md").read_text()
     assert told["scaling"] == json.loads((results / "scaling.json").read_text())
+    learned = json.loads((results / "learning.json").read_text())
+    assert learning_page(learned) == (results / "learning.md").read_text()
 
 
 def test_records_go_into_an_archive_and_come_back(tmp_path):
@@ -115,3 +107,30 @@ def test_records_go_into_an_archive_and_come_back(tmp_path):
     for archive in ("a.zip", "none.zip"):
         unpack(tmp_path / archive, back)
     assert {path.stem: path.read_text() for path in back.iterdir()} == {"one": "[1]\n", "other": "[3]\n"}
+
+
+def test_page_says_what_is_missing_and_jobs_that_are_done_are_not_done_again(monkeypatch, tmp_path):
+    monkeypatch.setattr(learning, "CURVE", (10, 20))
+    kept, asked = Evaluation("learning", tmp_path, tmp_path), []
+    kept.path("one").write_text('{"a": 7}')
+    kept.perform({"one": dict}, "one", lambda: asked.append(1))
+    assert json.loads(kept.path("one").read_text()) == {"a": 7}
+    assert not asked
+    learning.write_results(kept, 1, 20)
+    summary = json.loads((tmp_path / "learning.json").read_text())
+    assert {"through_code_share", "table1", "table2", "command"} <= set(summary)
+    count = sum(len(jobs) for jobs in learning.jobs_in_turn(Path(), 1, 20))
+    assert summary["missing"] == count
+    assert f"**Not finished**: {count} jobs" in (tmp_path / "learning.md").read_text()
+    assert (tmp_path / "learning.png").stat().st_size > 1000
+
+
+@pytest.mark.parametrize("name", learning.VARIANTS)
+def test_every_variant_can_be_learned_by(name, monkeypatch, tmp_path):
+    """What teaches is the network that was kept, unless it is another one."""
+    learned = []
+    monkeypatch.setattr(measures, "learn", lambda *given: learned.append(given) or (None, {}))
+    monkeypatch.setattr(measures.DirectModel, "load", lambda _: "kept")
+    measures.variant(measures.Data(tmp_path, tmp_path, "random", 1, 10), *learning.VARIANTS[name])
+    others = ("gripper values as they are", "no mirrors", "learning rate 1e-5", "everything as printed")
+    assert learned[0][3] == (None if name in others else "kept")
