@@ -1,8 +1,9 @@
-"""Domains as they are shipped: complete, true to their record, taken by others, run again, copied."""
+"""Domains as they are shipped: complete, true to their record, taken by others, copied, with valid plans."""
 
 import errno
 import shutil
 from functools import cache
+from pathlib import Path
 
 import pytest
 from places import ROOT
@@ -13,13 +14,15 @@ from neurosym.files import digest, read_json
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
 from neurosym.pddl import domain_text
-from neurosym.pddl.compiler import with_every_outcome
+from neurosym.pddl.compiler import ground_plan, problem_text, with_every_outcome
+from neurosym.pddl.plan_reading import read_plan
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.external import plan_fast_downward
 from neurosym.problems import Problem
 from neurosym.stages.compilation import texts_of
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.plan_records import PlanRecord, recorded_plans
+from neurosym.stages.verdicts import judge_plan
 from neurosym.tasks.task import is_reached
 from neurosym.tasks.transition import validate
 
@@ -127,3 +130,49 @@ def test_disk_that_is_full_half_way_leaves_nothing(tmp_path, monkeypatch):
     with pytest.raises(CannotWrite, match="mine cannot be written: No space left on device"):
         copy_shipped("tabletop", tmp_path / "mine")
     assert list(tmp_path.iterdir()) == []
+
+
+# What is called a plan is one of the printed domain and problem, as a validator says that is not ours
+
+
+def shipped(domain: str, ending: str = ".plan") -> list[Path]:
+    return sorted((folder_of(domain) / "plans").glob(f"*{ending}"))
+
+
+@pytest.mark.parametrize("domain", DOMAINS)
+def test_shipped_plans_are_plans_of_the_printed_files_beside_them_and_steps_are_none(domain: str):
+    folder, plans = folder_of(domain), shipped(domain)
+    assert len(plans) > 15
+    for file in plans[::3]:  # `make evaluate` judges all of them
+        verdict = judge_plan(folder, file.name.split(".")[0], file)
+        assert verdict.valid, (file.name, verdict.pddl_reason, verdict.replay_reason)
+        assert not verdict.written_out
+    steps = shipped(domain, ".steps")
+    assert steps or domain != "tabletop"
+    for file in steps:
+        assert not judge_plan(folder, file.name.split(".")[0], file).valid
+
+
+@pytest.mark.evaluation
+@pytest.mark.parametrize("domain", DOMAINS)
+def test_every_shipped_plan_is_valid_by_the_files_as_they_are(domain: str):
+    """Nothing is left out for the validator here: it takes some seconds a plan."""
+    from validators import unified_planning_accepts
+
+    folder = folder_of(domain)
+    for file in shipped(domain):
+        verdict = judge_plan(folder, name := file.name.split(".")[0], file)
+        task = folder / f"problems/{name}.pddl"
+        assert unified_planning_accepts(folder / verdict.domain, task, file.read_text()), file.name
+
+
+def test_problem_says_what_a_plan_beside_it_needs_and_nothing_else():
+    """The plan ends a cell beside the region that is printed for any plan; its replay meets the goal."""
+    grounding, problem = grounding_of("tabletop"), problems_of("tabletop")["task-04"]
+    steps = read_plan(folder_of("tabletop") / "plans/task-04.bfs.plan", grounding, problem)
+    assert validate(steps, problem, grounding).valid
+    whole = ground_plan(steps, problem, grounding)
+    bare, fitted = (problem_text(problem, grounding, plans=plans) for plans in ((), (whole, whole)))
+    assert 1 <= len(whole.missing(bare)) < len(whole.lines)
+    assert not whole.missing(fitted)
+    assert set(bare.split()) <= set(fitted.split())

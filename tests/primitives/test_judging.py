@@ -6,7 +6,7 @@ from math import pi, sqrt, tanh
 
 import numpy as np
 import pytest
-from toy_learning import Changed, alike, search
+from toy_learning import LEFT, Changed, alike, search
 
 from neurosym.operators import Primitive
 from neurosym.primitives.audition import audition, shortlist
@@ -91,7 +91,6 @@ def test_sure_of_a_pair_is_what_always_ends_alike_in_the_state(performances, sta
     assert sureness(performances, state) == pytest.approx(sure)
 
 
-PUSH = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.0, 0.1, 0.0, 0.04, 0.0, 0.1)
 CARRY = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.08, 0.1, 0.0, 0.04, 0.0, 0.1)  # the same by way of a height
 
 
@@ -148,7 +147,7 @@ def test_best_set_is_nearly_always_the_best_of_all_and_no_single_exchange_makes_
     assert min(shares) > 0.9  # one exchange at a time can get stuck
 
 
-@pytest.mark.parametrize(("first", "other"), [(PUSH, CARRY), (CARRY, PUSH)])
+@pytest.mark.parametrize(("first", "other"), [(LEFT, CARRY), (CARRY, LEFT)])
 def test_audition_and_shortlist_tell_carrying_from_pushing_equally_far_by_the_height(first, other):
     def outcomes(_, actions):
         return np.column_stack([np.tile([0.0, PUSH_LENGTH, 0.0], (len(actions), 1)), actions[:, 6]])

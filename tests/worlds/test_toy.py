@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from standing import boxes
 
 from neurosym.errors import InvalidValue
 from neurosym.world import OtherObject, Place, Scene
@@ -19,7 +20,7 @@ WORLD = make_world()
 
 
 def scene_of(features, x=0.7, y=0.0):
-    return Scene(np.array([features]), np.array([[x, y, features[2] / 2]]), np.array([[0.0, 0.0, 0.0, 1.0]]))
+    return boxes((*features, x, y))
 
 
 def action_of(first=(0, 0, 0, 1.0), middle=(0, 0, 0, 1.0), last=(0, 0, 0, 1.0)):
@@ -95,20 +96,17 @@ def test_what_cannot_be_is_refused(call, said):
 
 CARRY_TO = action_of(middle=(0, 0, 0, 0.0), last=(0, 0, 0, 0.0))
 CUBE, SLAB, TRAY = (0.05, 0.05, 0.05, 0.0), (0.10, 0.05, 0.04, 0.0), (0.18, 0.18, 0.06, 1.0)
-WIDE = (0.1, 0.1, 0.04, 0.0)
-RELATIONS, ON, DOWN = ToyRelations(), OtherObject(1), Place(0.5, -0.1)
+RELATIONS, ON = ToyRelations(), OtherObject(1)
 
 
 def scene(*rows: tuple[tuple[float, ...], float, float, float]) -> Scene:
     """Objects, each given as its features, where it stands, and at which height."""
-    return Scene(
-        np.array([features for features, *_ in rows]),
-        np.array([(x, y, under + features[2] / 2) for features, x, y, under in rows]),
-        np.tile([0.0, 0.0, 0.0, 1.0], (len(rows), 1)),
-    )
+    made = boxes(*((*features, x, y) for features, x, y, _ in rows))
+    made.positions[:, 2] += [under for *_, under in rows]
+    return made
 
 
-def put(before: Scene, target: int, reference: OtherObject | Place = ON, action=CARRY_TO):
+def put(before: Scene, target: int, reference: OtherObject = ON, action=CARRY_TO):
     return RELATIONS.interact(before, action, target, reference=reference)
 
 
