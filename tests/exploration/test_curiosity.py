@@ -113,7 +113,7 @@ def gamble(rows, rng):
 def unknown_of(about, rows, seed=0):
     """How little is known where there is luck and where there is none; as many steps for any rows."""
     rng = np.random.default_rng(seed)
-    config = LearningConfig(epochs=16_000 // rows, batch=64, learning_rate=5e-3, ensemble=3)
+    config = LearningConfig(epochs=8_000 // rows, batch=64, learning_rate=5e-3, ensemble=3)
     network = ModelConfig(hidden=32, dropout=0.0)
     curiosity = curious(about, config=config, seed=seed, dimensions=Dimensions(1, 2, 1, ()), network=network)
     curiosity.learn(gamble(rows, rng), 1)

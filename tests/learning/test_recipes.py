@@ -57,10 +57,10 @@ def test_taught_bits_say_more_than_those_of_the_joint_fit_and_every_code_is_used
 
 def test_decoder_expects_what_actions_do_that_nobody_chose_for_their_effect():
     """Nine of ten pushes that would move something are left out of the data."""
-    every = toy_data(2000)
+    every, test = toy_data(3000)[:2000], toy_data(3000)[2000:]
     moved = np.abs(every.effects).sum(1) > 0
     rare = np.random.default_rng(0).uniform(size=len(every)) < 0.1
-    chosen, test = every[~moved | rare], toy_data(3000)[2000:]
+    chosen = every[~moved | rare]
     errors, direct = {}, None
     for source in ("imagined", "data"):
         config = replace(

@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 from places import SHIPPED
-from studio_pages import page_on, session_on, shipped_library, wait_for, workers
+from studio_pages import page_on, session_on, shipped_library, wait_for
 
 from neurosym.colours import Palette
 from neurosym.contract import Part
@@ -98,16 +98,16 @@ def test_plans_and_runs_are_told_with_their_steps_and_promises():
 
 
 @contextmanager
-def shown(library):
+def shown(library, both):
     """The panels of a page that nobody looks at, by their kinds."""
-    with workers() as both, session_on(library, both) as session, page_on(session) as page:
+    with session_on(library, both) as session, page_on(session) as page:
         session.running.steer(speed=0.0)
         yield {type(panel): panel for panel in page.panels}
 
 
 @pytest.fixture
-def tour():
-    with shown(LIBRARY) as panels:
+def tour(both):
+    with shown(LIBRARY, both) as panels:
         yield panels[TourPanel]
 
 
@@ -143,9 +143,9 @@ def test_each_card_does_what_it_says_and_can_be_stopped(tour):
 
 
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
-def test_page_begins_with_a_tower_where_relations_are_known_and_a_card_asks_for_another():
+def test_page_begins_with_a_tower_where_relations_are_known_and_a_card_asks_for_another(both):
     assert len(LIBRARY.first_problem().objects) == 3
-    with shown(shipped_library(SHIPPED.with_name("towers"))) as panels:
+    with shown(shipped_library(SHIPPED.with_name("towers")), both) as panels:
         tour, session = panels[TourPanel], panels[TourPanel].session
         (top, middle, _), (below, *_) = session.problem.related
         assert below in (top, middle)
@@ -159,8 +159,8 @@ def test_page_begins_with_a_tower_where_relations_are_known_and_a_card_asks_for_
 
 
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
-def test_place_on_the_map_is_the_size_of_the_object_and_decides_its_bits():
-    with shown(LIBRARY) as panels:
+def test_place_on_the_map_is_the_size_of_the_object_and_decides_its_bits(both):
+    with shown(LIBRARY, both) as panels:
         field, page, atlas = panels[TablePanel].map, panels[TablePanel].page, LIBRARY.atlas
         assert [atlas.features[number].word for number in atlas.axes] == ["width", "depth"]
         marks = atlas.map(page.item.features).marks

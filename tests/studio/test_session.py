@@ -19,7 +19,6 @@ from studio_pages import (
     shipped_library,
     toy_library,
     wait_for,
-    workers,
 )
 from toy_relations import LIE, REST, scene, sorting, tower, tower_at_place
 
@@ -38,12 +37,6 @@ PLAIN = Problem(
     {},
     0.02,
 )
-
-
-@pytest.fixture(scope="module")
-def both():
-    with workers() as started:
-        yield started
 
 
 @pytest.fixture
