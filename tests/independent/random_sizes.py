@@ -1,28 +1,18 @@
-"""Random tables whose operators move wider objects farther, with rehearsals that say so.
-
-What each of their objects is moved by is read from the printed problem, by docs/pddl.md alone.
-"""
-
-import re
-from decimal import Decimal
+"""Random tables whose operators move wider objects farther, with rehearsals that say so."""
 
 import msgspec
 import numpy as np
-from independent.ground_pddl import Task, read_task
 from independent.random_tables import Drawn, anywhere, draw, walk
-from independent.replay import PUT_DOWN, Json, Point, Step, lifts, promise_of, read_text, replay
+from independent.replay import PUT_DOWN, Point, Step, displacement, lifts, read_text, replay, settled
 from msgspec.structs import replace
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Operator, Rehearsal
-from neurosym.pddl.compiler import domain_text, problem_text
+from neurosym.problems import Problem
+from neurosym.tasks.promises import usable
 
 _ROWS = 20
 _STREAM = 0x73697A65  # keeps this randomness apart from any other
-_UNIT = Decimal("0.0001")
-_SHIFT = re.compile(r"\(assign \([xyz] \?o\) \(- \(\+ \([xyz] \?o\) \([^)]*\)\) (\d+)\)\)")
-_LABEL = re.compile(r"m-([01]+[a-z]*)")
-_BEGUN = ("pushes", "lifts")
 
 
 def draw_sizes(number: int) -> Drawn | None:
@@ -37,8 +27,7 @@ def draw_sizes(number: int) -> Drawn | None:
         return None
     problem = replace(drawn.problem, goals={})
     domain_json = read_text(msgspec.json.encode(grounding).decode())
-    texts = domain_text(grounding, "numeric"), problem_text(problem, grounding, "numeric")
-    own = moves_in_numbers(*texts, domain_json)
+    own = own_moves(problem, grounding)
     walked, goals = walk(drawn.kind, problem, domain_json, rng, own)
     if drawn.kind == "random" or not goals:
         walked, goals = (), anywhere(problem, grounding, rng)
@@ -82,43 +71,15 @@ def _row(operator: Operator, width: float) -> Rehearsal:
     return Rehearsal(promise.kind, held if promise.kind == "held" else rests, rests, max(z, 0.0), 0.0)
 
 
-def moves_in_numbers(domain: str, problem: str, grounding: Json) -> dict[Step, Point]:
-    """Return by how much each operator moves each object it is for, from the encoding `numeric` [m]."""
-    shifts = set(map(int, _SHIFT.findall(domain)))
-    if not shifts:
-        return {}
-    (shift,), task, names = shifts, read_task(domain, problem), _operators(grounding)
-    motions = {
-        fact[2]: (names[task.types[fact[1]], _label(fact[2]), fact[0] == "lifts"], fact[1])
-        for fact in task.facts
-        if fact[0] in _BEGUN
-    }
-    motions |= {
-        fact[1]: (PUT_DOWN + motions[fact[2]][0], motions[fact[2]][1])
-        for fact in task.facts
-        if fact[0] == "lowers"
-    }
-    declared = {name for name, kind in task.types.items() if kind == "motion"}
-    assert motions.keys() == declared, "every motion has a role"
-    return {step: _along(motion, shift, task) for motion, step in motions.items()}
-
-
-def _along(motion: str, shift: int, task: Task) -> Point:
-    x, y, z = (_UNIT * (task.numbers[f"along-{axis}", motion] - shift) for axis in "xyz")
-    return x, y, z
-
-
-def _label(motion: str) -> str:
-    (label,) = _LABEL.match(motion).groups()
-    return label
-
-
-def _operators(grounding: Json) -> dict[tuple[str, str, bool], str]:
-    """Name the operators by their category, by their symbol, as motions are called, and whether they lift."""
-    table = grounding["operators"]
-    categories = {one["symbol"]: one["name"] for one in table["categories"]}
-    return {
-        (categories[one["category"]], one["primitive"] + one.get("variant", ""), lifts(one)): one["name"]
-        for one in table["operators"]
-        if promise_of(one) is not None
-    }
+def own_moves(problem: Problem, grounding: Grounding) -> dict[Step, Point]:
+    """Return by how much each operator moves each object it is for [m]."""
+    moves = dict[Step, Point]()
+    for item in problem.objects:
+        for operator in usable(grounding, item, problem.tolerance):
+            told = read_text(msgspec.json.encode(operator).decode())
+            by = displacement(told)
+            moves[operator.name, item.name] = by
+            if lifts(told):
+                down = (end - up for end, up in zip(settled(told), by, strict=True))
+                moves[PUT_DOWN + operator.name, item.name] = tuple(down)
+    return moves

@@ -18,8 +18,6 @@ Step = tuple[str, str]
 PUT_DOWN = "put-down-"
 SLACK = Decimal("1e-9")
 """What binary numbers may make of a decimal one [m]."""
-ROUNDED = Decimal("1e-4")
-"""What whole numbers of 0.1 mm make of a step, and more [m]."""
 NEAR_TABLE = Decimal("0.1")
 """How far off the table an object may stand that is still planned for [m]."""
 LEAST_TRIALS = 5
@@ -145,7 +143,7 @@ class Tabletop:
 
     def missed(self) -> str:
         """Say which goals are farther away than allowed; nothing if none is."""
-        allowed = self.scene["tolerance"] + self.slack
+        allowed = self.scene["tolerance"] + SLACK
         misses = {name: distance(self.places[name], goal) for name, goal in self.scene["goals"].items()}
         far = [f"{name} {1000 * miss:.3f} mm" for name, miss in misses.items() if miss > allowed]
         return f"missed: {', '.join(far)}" if far else ""
@@ -159,15 +157,10 @@ class Tabletop:
         x, y, z = (old + new for old, new in zip(here, by, strict=True))
         return x, y, z
 
-    @property
-    def slack(self) -> Decimal:
-        """What numbers may make of places [m]: printed ones are whole, of 0.1 mm."""
-        return SLACK + (ROUNDED * self.primitives if self.own is not None else 0)
-
     def _wrong_place(self, name: str) -> str:
         spot = self.places[name]
         for axis, (low, high) in zip((0, 1), self.room(name), strict=True):
-            if not low - self.slack <= spot[axis] <= high + self.slack:
+            if not low - SLACK <= spot[axis] <= high + SLACK:
                 return f"{name} leaves the table"
         if self.held is not None:
             return ""
@@ -190,8 +183,7 @@ class Tabletop:
         sizes = [self.items[name]["features"] for name in (one, other)]
         here, there = self.places[one], self.places[other]
         return all(
-            2 * (abs(here[axis] - there[axis]) + self.slack) < sizes[0][axis] + sizes[1][axis]
-            for axis in (0, 1)
+            2 * (abs(here[axis] - there[axis]) + SLACK) < sizes[0][axis] + sizes[1][axis] for axis in (0, 1)
         )
 
 

@@ -27,6 +27,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import excerpt_for, ground_plan, parameters_of, with_every_outcome
+from neurosym.pddl.durative import durative_domain_text, durative_problem_text
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips import WORDS, page
@@ -68,11 +69,9 @@ def texts() -> dict[str, str]:
         "toy.pddl": domain_text(toy_domain.grounding()),
         "domain-relations.pddl": domain_text(KINDS["sorting"][0]),
         "sorting.pddl": problem_text(KINDS["sorting"][1], KINDS["sorting"][0]),
+        "domain-durative.pddl": durative_domain_text(KINDS["both"][0]),
+        "swap.durative.pddl": durative_problem_text(toy_places.swap(), KINDS["both"][0]),
     }
-
-
-def code_of(text: str) -> str:
-    return re.sub(r";.*", "", text)
 
 
 @pytest.mark.parametrize("name", sorted(texts()))
@@ -91,26 +90,17 @@ def test_order_of_the_table_does_not_show_in_the_text(encoding: EncodingName):
 
 
 @of_each_kind
-def test_everything_is_positive_strips_in_which_every_word_is_declared(learned: Grounding, task: Problem):
+def test_everything_is_positive_strips_in_small_letters(learned: Grounding, task: Problem):
+    """That every word is declared, once and of its type, is for the judge to say."""
     domain = page(learned)
-    code, text = code_of(domain.text()), code_of(problem_text(task, learned))
+    code, text = (re.sub(r";.*", "", one) for one in (domain.text(), problem_text(task, learned)))
     assert (code, text) == (code.lower(), text.lower())
     assert not set("._") & set(code)
-    assert text.count("(") == text.count(")")
     assert re.findall(r":requirements ([^)]*)", code) == [":strips :typing :action-costs"]
-    assert re.findall(r":requirements ([^)]*)", domain.text(costs=False).lower()) == [":strips :typing"]
     assert not re.search(r"\b(forall|exists|when|or|imply|either)\b", code)
     assert "(not " not in "".join(line for line in code.splitlines() if ":precondition" in line)
     words = {name for name, _ in (*domain.types, *domain.constants)} | {one.name for one in domain.actions}
     assert words <= {*WORDS.split(), *(one.name for one in learned.operators.categories)}
-    printed, kinds = StripsProblem(understand(task, learned)).data(), dict(domain.types)
-    typed = dict((*domain.constants, *printed.objects))
-    assert len(typed) == len(domain.constants) + len(printed.objects), "names are declared once"
-    declared = (*domain.predicates, *domain.costs)
-    wanted = {one.name: [kind for _, kind in one.parameters] for one in declared}
-    for name, *given in (*printed.atoms, *printed.costs, *printed.goals):
-        for word, kind in zip(given, wanted[name], strict=True):
-            assert kind in (typed[word], kinds.get(typed[word])), (name, word)
 
 
 @of_each_kind
@@ -135,15 +125,9 @@ def test_plan_of_fast_downward_is_valid_and_so_is_ours_of_the_same_steps(
             assert judge(domain.read_text(), file.read_text(), fewer) != "", line
 
 
-def test_one_motion_is_one_symbol_whatever_it_does_to_which_category():
+def test_each_operator_is_one_of_a_few_actions():
     learned = tables.grounding()
-    rows = [line for line in page(learned).head if re.match(r" +\d{3} ", line)]
-    assert [row.split()[0] for row in rows] == ["000", "001", "010"]
-    assert rows[2].split("  ")[-1].strip().startswith("pull 71")
-    assert re.search(r"010 +lift 203 73% +pull 71 86%", rows[2])
-    assert re.search(r"001 +push-away 72 86% +-$", rows[1]), "what topples trays is left out"
-    found = [action_for(one.name, learned) for one in learned.live]
-    assert set(found) == {"push", "lift"}
+    assert {action_for(one.name, learned) for one in learned.live} == {"push", "lift"}
     assert action_for("put-down-lift-010-block", learned) == "put-down"
     assert action_for(toy_places.NAME, toy_places.grounding()) == "put-at"
     assert action_for(PUT_ON, toy_relations.grounding()) == "put"
@@ -151,13 +135,7 @@ def test_one_motion_is_one_symbol_whatever_it_does_to_which_category():
         action_for("fly", learned)
 
 
-def test_what_was_not_learned_or_fails_is_not_on_the_page():
-    led, carrying, relating = (
-        {one.name for one in page(KINDS[kind][0]).actions} for kind in ("led", "both", "sorting")
-    )
-    assert led == {"push", "lift", "put-down", "move-x", "move-y", "reach-cell", "reach-lifted"}
-    assert carrying == led | {"take", "put-at", "note-clear", "reach-place", "leave"}
-    assert relating == {"take", "put-at", "note-clear", "reach-place", "take-off", "put", "put-loaded"}
+def test_what_fails_is_not_on_the_page():
     failing = relearned(PUT_IN, relearned(PUT_ON, laden=0), laden=0)  # with a third object on the target
     assert "put-loaded" not in {one.name for one in page(failing).actions}
     for name in ("take", "take-off"):
