@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+import numpy as np
+
 
 class Form(NamedTuple):
     """How a ground action is written, and what stands around all.
@@ -37,6 +39,24 @@ class Form(NamedTuple):
             number=number,
             first="step    " if number == 0 else "        ",
         )
+
+
+def edited(
+    actions: Sequence[Sequence[str]], rng: np.random.Generator, words: Sequence[str]
+) -> list[list[str]]:
+    """Drop, double or swap ground actions, or change a word of one."""
+    changed = [[*action] for action in actions]
+    at, other = (int(number) for number in rng.integers(len(changed), size=2))
+    kind = rng.integers(4)
+    if kind == 0:
+        del changed[at]
+    elif kind == 1:
+        changed.insert(other, changed[at])
+    elif kind == 2:
+        changed[at], changed[other] = changed[other], changed[at]
+    else:
+        changed[at][int(rng.integers(len(changed[at])))] = str(rng.choice(words))
+    return changed
 
 
 FORMS = {

@@ -8,21 +8,16 @@ from conftest import RUN_TOY
 from neurosym.stages.folder import DomainFolder
 
 
-def test_second_run_does_nothing_again(folder, capsys):
-    before = {path: path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()}
+def test_run_makes_again_what_is_missing_and_what_comes_after(folder, capsys):
     stages = DomainFolder(folder).manifest().stages
     assert (stages["explore"].options["seed"], stages["explore"].options["steps"]) == (3, 1024)
     assert "domain.pddl" in stages["compile-domain"].outputs
-    assert neurosym("run", folder, *RUN_TOY) == 0
-    said = capsys.readouterr().out
-    assert ": done" not in said
-    assert said[said.rindex("\nverdict: ") :].splitlines()[-1].startswith("next: ")
-    assert {path: path.stat().st_mtime_ns for path in folder.rglob("*") if path.is_file()} == before
     (folder / "grounding.json").unlink()
     assert neurosym("run", folder, *RUN_TOY) == 0
     said = capsys.readouterr().out
     assert "distill: up to date" in said
     assert "compile-domain: done" in said
+    assert said[said.rindex("\nverdict: ") :].splitlines()[-1].startswith("next: ")
 
 
 def test_goal_set_by_hand_is_planned_and_reached(folder, capsys):

@@ -1,6 +1,7 @@
 """The command line refuses files that are missing, damaged or of another kind, and writes nothing."""
 
 import json
+import shutil
 
 import pytest
 from command_line import contents, neurosym, refusal
@@ -71,33 +72,13 @@ def test_finished_interactions_are_not_replaced_by_others_where_the_checkpoint_i
     assert (folder / "interactions.npz").read_bytes() == before
 
 
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("(fly item-01)", "no operator 'fly'"),
-        ("(OPERATOR item-09)", "no object 'item-09'; valid: item-01"),
-        ("shove it", "has no steps"),
-    ],
-)
-def test_plan_that_cannot_be_read_is_refused_with_its_line(kept, tmp_path, line, message, capsys):
-    operator = json.loads((kept / "primitives.json").read_text())["operators"][0]["name"]
-    plan = tmp_path / "mine.plan"
-    plan.write_text(f"; a comment\n{line.replace('OPERATOR', operator)}\n")
-    said = refusal(capsys, "execute", kept, "task-01", plan)
-    assert message in said
-    assert f"{plan}, line {1 if line == 'shove it' else 2}" in said
-
-
-def test_missing_plan_file_is_refused(folder, capsys):
-    assert "none.plan" in refusal(capsys, "execute", folder, "task-01", folder / "none.plan")
-    for path in (folder / "problems", "/dev/null"):
-        assert f"{path} cannot be used: it is no file" in refusal(capsys, "execute", folder, "task-01", path)
-
-
-def test_plan_without_a_step_is_executed_with_a_note(folder, capsys):
-    (folder / "empty.plan").write_text("; nothing\n")
-    assert neurosym("execute", folder, "task-01", folder / "empty.plan", "--replans", 0) == 3
-    assert f"note: {folder / 'empty.plan'} holds no step" in capsys.readouterr().out
+def test_plan_file_that_is_none_is_refused_and_one_without_a_step_is_noted(kept, tmp_path, capsys):
+    for path in (kept / "problems", "/dev/null"):
+        assert f"{path} cannot be used: it is no file" in refusal(capsys, "execute", kept, "task-01", path)
+    folder, empty = shutil.copytree(kept, tmp_path / "toy"), tmp_path / "empty.plan"
+    empty.write_text("; nothing\n")
+    assert neurosym("execute", folder, "task-01", empty, "--replans", 0) == 3
+    assert f"note: {empty} holds no step" in capsys.readouterr().out
 
 
 def test_folder_that_is_no_domain_folder_is_called_so(tmp_path, capsys):

@@ -94,14 +94,6 @@ def test_new_plans_in_a_run_come_as_near_as_is_asked(bare):
         assert len(record["replannings"]) == plans
 
 
-@pytest.mark.parametrize("tolerance", ["0", "-0.1", "nan", "inf"])
-def test_impossible_tolerance_is_refused_before_anything_is_written(bare, capsys, tolerance):
-    for command in (("plan", bare, "near"), ("execute", bare, "near", bare / "empty.plan")):
-        assert "must be" in refusal(capsys, *command, f"--tolerance={tolerance}")
-    for place in ("plans", "runs", "manifest.json"):
-        assert not (bare / place).exists()
-
-
 def test_plan_to_come_nearer_is_read_in_the_cells_that_are_printed(tmp_path):
     folder = tmp_path / "tabletop"
     shutil.copytree(ROOT / "domains/tabletop", folder)

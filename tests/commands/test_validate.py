@@ -74,7 +74,9 @@ def test_what_is_no_plan_is_refused_as_execute_does_and_steps_alone_are_written_
     ):
         file.write_text(text)
         for command in ("validate", "execute"):
-            assert said in refusal(capsys, command, folder, "two", file)
+            told = refusal(capsys, command, folder, "two", file)
+            assert said in told
+            assert f"{file}, line 1" in told
     assert "There is no plan file" in refusal(capsys, "validate", folder, "two", folder / "none.plan")
     file.write_text("(push-left-001-cube item-01)\n" * 2)
     code, said = judged(folder, file, capsys)

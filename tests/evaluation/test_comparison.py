@@ -6,7 +6,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 import pytest
-from command_line import neurosym, refusal
+from command_line import neurosym
 from toy_domain import WORLD, grounding, problem
 
 from neurosym.evaluation.comparison import Bench, Order, Setting, compare, compare_tasks
@@ -174,14 +174,3 @@ def test_task_is_that_of_new_problem_and_the_same_scene_and_goal_at_any_toleranc
     assert neurosym("new-problem", folder, "--name", "mine", "--seed", 3, "--objects", 2) == 0
     mine = Problem.load(folder / "problems/mine.scene.json")
     assert (mine.objects, mine.goals) == (wide.objects, wide.goals)
-
-
-def test_impossible_requests_are_refused_in_one_sentence(kept, tmp_path, capsys):
-    for options, sentence in (
-        (["--planners", "dijkstra"], "There is no planner 'dijkstra'; valid: "),
-        (["--tolerance", "nan"], "must be a finite number"),
-    ):
-        assert sentence in refusal(capsys, "compare", kept, *options)
-    neurosym("init", tmp_path / "new", "--world", "toy")
-    capsys.readouterr()
-    assert "is missing; `neurosym" in refusal(capsys, "compare", tmp_path / "new")

@@ -5,7 +5,7 @@ Nothing of neurosym is imported here, and no numpy, so that both replays do not 
 
 import itertools
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
@@ -107,7 +107,6 @@ class Tabletop:
 
     grounding: Json  # the raw `grounding.json`
     scene: Json  # the raw scene file of a problem
-    own: Mapping[Step, Point] | None = None  # by how much operators move objects [m]; see `random_sizes`
     places: dict[str, Point] = field(default_factory=dict)  # where the centre of each object is [m]
     held: Step | None = None  # the operator that lifted what is in the hand, and that object
     primitives: int = 0  # how many were done
@@ -130,8 +129,6 @@ class Tabletop:
             return f"{words} is not for objects like {name}"
         if promise_of(operator) is None:
             return f"{words} promises nothing"
-        if self.own is not None and step not in self.own:
-            return f"{words} has no step for {name}"
         if puts_down and self.held != (operator["name"], name):
             return f"{words} with {self.held} in the hand"
         if not puts_down and self.held is not None:
@@ -150,9 +147,7 @@ class Tabletop:
 
     def _after(self, operator: Json, name: str, puts_down: bool) -> Point:
         here, by = self.places[name], displacement(operator)
-        if self.own is not None:
-            by = self.own[(PUT_DOWN if puts_down else "") + operator["name"], name]
-        elif puts_down:  # back to where the lift began, and from there to where it came to rest
+        if puts_down:  # back to where the lift began, and from there to where it came to rest
             by = tuple(end - up for end, up in zip(settled(operator), by, strict=True))
         x, y, z = (old + new for old, new in zip(here, by, strict=True))
         return x, y, z
@@ -187,15 +182,13 @@ class Tabletop:
         )
 
 
-def replay(
-    grounding: Json, scene: Json, steps: Iterable[Step], own: Mapping[Step, Point] | None = None
-) -> tuple[str, Tabletop]:
+def replay(grounding: Json, scene: Json, steps: Iterable[Step]) -> tuple[str, Tabletop]:
     """Replay a plan.
 
     Returns:
         What is wrong with it, nothing if it is valid; and how everything is where the replay stopped.
     """
-    top = Tabletop(grounding, scene, own)
+    top = Tabletop(grounding, scene)
     for number, step in enumerate(steps, start=1):
         if wrong := top.do(step):
             return f"step {number}: {wrong}", top

@@ -13,7 +13,7 @@ import toy_relations
 from independent.brute_force import Search
 from independent.ground_pddl import judge
 from independent.random_tables import draw
-from independent.replay import Json, Step, domain_operators, read_text, replay
+from independent.replay import Json, Step, domain_operators, lifts, read_text, replay
 from msgspec.structs import replace
 from validators import unified_planning_accepts
 
@@ -86,16 +86,14 @@ def _random_steps(
 ) -> tuple[Step, ...]:
     """Draw steps that fit their objects; what was lifted is mostly put down again."""
     operators = {one["name"]: one for one in domain["operators"]["operators"]}
+    pairs = [(name, one) for name in names for one in problem.objects]
+    fitting = [(name, one.name) for name, one in pairs if operators[name]["category"] == one.category]
     steps: list[Step] = []
-    for _ in range(rng.integers(1, 6)):
-        item = problem.objects[rng.integers(len(problem.objects))]
-        fitting = [name for name in names if operators[name]["category"] == item.category]
-        if fitting:
-            name = fitting[rng.integers(len(fitting))]
-            steps.append((name, item.name))
-            promised = operators[name].get("promised") or operators[name]["modes"][0]["kind"]
-            if promised == "held" and rng.random() < 0.8:
-                steps.append((f"put-down-{name}", item.name))
+    for _ in range(rng.integers(1, 6) if fitting else 0):
+        name, item = fitting[rng.integers(len(fitting))]
+        steps.append((name, item))
+        if lifts(operators[name]) and rng.random() < 0.8:
+            steps.append((f"put-down-{name}", item))
     return tuple(steps)
 
 

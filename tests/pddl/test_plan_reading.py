@@ -8,7 +8,7 @@ import pytest
 import toy_places
 import toy_relations
 from places import DOCS, ROOT
-from plan_forms import FORMS
+from plan_forms import FORMS, edited
 from tables import grounding, problem
 from toy_relations import PUT_ON
 
@@ -204,22 +204,6 @@ def test_a_plan_gives_the_same_steps_in_every_form(form: str):
         text = shipped(domain, plan)[0]
         written = FORMS[form].write(actions_of(text))
         assert read_shipped(written, domain, plan) == read_shipped(text, domain, plan) != ()
-
-
-def edited(actions: Words, rng: np.random.Generator, words: list[str]) -> Words:
-    """Drop, double or swap actions, or change a word of one."""
-    actions = [[*action] for action in actions]
-    at, other = (int(number) for number in rng.integers(len(actions), size=2))
-    kind = rng.integers(4)
-    if kind == 0:
-        del actions[at]
-    elif kind == 1:
-        actions.insert(other, actions[at])
-    elif kind == 2:
-        actions[at], actions[other] = actions[other], actions[at]
-    else:
-        actions[at][int(rng.integers(len(actions[at])))] = str(rng.choice(words))
-    return actions
 
 
 @pytest.mark.parametrize(("domain", "plan"), SHIPPED)

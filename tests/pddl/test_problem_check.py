@@ -42,6 +42,9 @@ WRONG = [
     ("goals", {"item-01": [50, 50, 0]}, "The goal of item-01 has x = 50 m, out of reach; valid: x 0.4 to 1"),
     ("goals", {"item-01": [0.6, 0.0, 5]}, "The goal of item-01 has z = 5 m, out of reach"),
     ("goals", {"item-09": [0.6, 0.0, 0.03]}, "goal for item-09, which is not in the scene; objects: item-01"),
+    ("tolerance", 0, "tolerance"),
+    ("objects", [], "needs one object or more"),
+    ("colour", "red", "colour"),
 ]
 
 
@@ -60,15 +63,18 @@ def test_what_cannot_be_is_refused_before_anything_is_done(folder, capsys, key, 
     task = json.loads(scene.read_text())
     cube = {"features": [0.05, 0.05, 0.05, 0], "position": [0.6, 0.0, 0.025]}
     task["objects"][0] |= cube
-    changed = changes if key == "goals" else [task["objects"][0] | changes, *task["objects"][1:]]
-    scene.write_text(json.dumps(task | {key: changed}))
+    one = key == "objects" and changes
+    scene.write_text(
+        json.dumps(task | {key: [task["objects"][0] | one, *task["objects"][1:]] if one else changes})
+    )
     (folder / "empty.plan").write_text("")
     before = sorted(folder.rglob("*"))
     for command, more in (("plan", ()), ("execute", (folder / "empty.plan", "--replans", 0))):
         said = refusal(capsys, command, folder, "task-01", *more)
         assert message in said
         assert f"{scene} cannot be used" in said
-    if key == "objects":
+    assert message in refusal(capsys, "new-problem", folder, "--scene", scene, "--name", "mine")
+    if one:
         assert message in refusal(capsys, "show", folder, "--problem", "task-01")
     assert sorted(folder.rglob("*")) == before
 

@@ -17,6 +17,7 @@ import toy_relations
 from independent.ground_pddl import judge
 from msgspec.structs import replace
 from places import GOLDEN, ROOT
+from plan_forms import edited
 from tables import BOUNDS, grounding, item, mode, problem, table, total_cost
 from toy_relations import LIE, PUT_IN, PUT_ON, REST, relearned
 from validators import unified_planning_accepts
@@ -240,17 +241,9 @@ def test_judge_says_of_the_excerpt_what_it_says_of_the_whole_and_no_more_is_in_i
     domain, problem = ((folder / text).read_text() for text in ("domain.pddl", f"problems/{name}.pddl"))
     actions = [tuple(words.split()) for words in re.findall(r"^\((.*)\)", file.read_text(), re.MULTILINE)]
     rng, verdicts = np.random.default_rng(0), []
+    names = [one for words in actions for one in words[1:]]
     for number in range(8):
-        changed, at = list(actions), int(rng.integers(len(actions)))
-        if number % 3 == 1:
-            del changed[at]
-        elif number % 3 == 2:
-            changed[at] = (
-                *changed[at][:-1],
-                str(rng.choice([one for words in actions for one in words[1:]])),
-            )
-        elif number:
-            changed.insert(0, changed.pop(at))
+        changed = edited(actions, rng, names) if number else actions
         text = "".join(f"({' '.join(action)})\n" for action in changed)
         verdicts.append(judge(domain, problem, text))
         assert judge(*excerpt_for(domain, problem, changed), text) == verdicts[-1]
