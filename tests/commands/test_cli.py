@@ -1,6 +1,7 @@
-"""The command line: what it writes, and what it says."""
+"""The command line: what it writes, what it says, and what it names as the next step."""
 
 import json
+from pathlib import Path
 
 from command_line import neurosym
 from conftest import RUN_TOY
@@ -55,3 +56,19 @@ def test_new_problem_takes_the_first_free_name_and_what_it_replaces_is_told(fold
     assert (folder / "problems/task-01.scene.json").read_bytes() == before
     assert neurosym("new-problem", folder, "--name", "task-01", "--seed", 8) == 0
     assert f"replaced {folder}/problems/task-01.pddl" in capsys.readouterr().out
+
+
+def init(folder: Path, capsys) -> str:
+    """Give a folder its world, and return what is to be typed next."""
+    (folder / "world.toml").unlink(missing_ok=True)
+    capsys.readouterr()
+    assert neurosym("init", folder, "--world", "toy") == 0
+    return capsys.readouterr().out.splitlines()[-1]
+
+
+def test_next_step_is_what_follows_what_is_there(folder, capsys):
+    assert init(folder, capsys) == f"next: neurosym distill {folder}"
+    (folder / "effect_model.safetensors").unlink()
+    assert init(folder, capsys) == f"next: neurosym train {folder}"
+    (folder / "interactions.npz").unlink()
+    assert init(folder, capsys) == f"next: neurosym explore {folder}"

@@ -4,7 +4,6 @@ import errno
 import os
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -117,31 +116,3 @@ def test_current_folder_that_is_gone_is_told(tmp_path: Path):
     assert ended.returncode == 2
     assert "Traceback" not in ended.stderr
     assert len(ended.stderr.splitlines()) == 1
-
-
-WRITERS: dict[str, Callable[[Path, Path], tuple[object, ...]]] = {
-    "report": lambda folder, place: ("report", folder, "--output", place / "page.html"),
-    "strip": lambda folder, place: (
-        *("execute", folder, "task-01", next((folder / "plans").glob("task-01.*.plan"))),
-        *("--strip", place / "a.png"),
-    ),
-}
-
-
-@pytest.mark.parametrize("command", WRITERS)
-def test_output_that_cannot_be_written_is_noticed_before_the_work(
-    folder: Path, tmp_path: Path, monkeypatch, capsys, command: str
-):
-    place = tmp_path / "full"
-    place.mkdir()
-    before = contents(folder)
-    real = Path.open
-
-    def full(path: Path, mode: str = "r", *options: object, **named: object) -> object:
-        if path.parent == place and mode == "xb":
-            raise OSError(errno.EROFS, "Read-only file system")
-        return real(path, mode, *options, **named)
-
-    monkeypatch.setattr(Path, "open", full)
-    assert "Read-only file system" in refusal(capsys, *WRITERS[command](folder, place))
-    assert contents(folder) == before

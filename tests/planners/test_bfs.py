@@ -1,4 +1,4 @@
-"""Breadth-first search: the world's rules, and agreement with a search that anyone can check."""
+"""Breadth-first search: how deep it goes, what it knows of operators, and tasks of relations."""
 
 import numpy as np
 import pytest

@@ -1,12 +1,16 @@
-"""Putting steps in another order: whoever is in the way goes first, or makes way."""
+"""The order of steps: whoever is in the way goes first; and counting, the cheapest among the fewest."""
 
-import pytest
-from msgspec.structs import replace
-from tables import DOWN, LEFT, LIFT, PUSH, crossing, grounding, item, problem
+import itertools
 
-from neurosym.planners.action_counts import ends_held, mend
+import tables
+from tables import grounding, item
+
+from neurosym.planners import PlanStatus, plan
+from neurosym.planners.action_counts import mend
 from neurosym.problems import Problem
-from neurosym.tasks.transition import PlanStep, validate
+from neurosym.tasks.options import cost
+from neurosym.tasks.transition import PlanStep, primitives, validate
+from tools.benchmarks.planning.tasks import fewest_steps
 
 
 def test_long_row_is_moved_from_its_front():
@@ -19,36 +23,31 @@ def test_long_row_is_moved_from_its_front():
     assert list(ordered) == steps[::-1]
 
 
-def test_put_down_stays_with_its_lift_and_a_held_object_comes_last():
-    assert ends_held([PUSH, LIFT], grounding())
-    assert not ends_held([LIFT, DOWN], grounding())
-    task = replace(crossing(), goals={"item-02": (0.514, 0.1436, 0.025)})
-    steps = [PlanStep(step.operator, "item-02") for step in (LIFT, DOWN, LEFT)]
-    assert mend(steps, task, grounding())[0] == tuple(steps)
-    steps, checked = mend([LEFT], problem(), grounding())
-    assert steps == (LEFT,)
-    assert "mm from its goal" in checked.reason
+def test_among_the_fewest_it_takes_the_cheapest():
+    learned = tables.grounding()
+    task = Problem("p", (tables.item("item-01", 0.45, 0.0),), {"item-01": (0.6, 0.13, 0.025)})
+    found = plan(task, learned, "counting")
+    names = [operator.name for operator in learned.live if operator.category == "00"]
+
+    def price(steps: tuple[str, ...]) -> int:
+        return sum(cost(learned.operator_named(step)) for step in steps)
+
+    def down(steps: tuple[str, ...]) -> tuple[PlanStep, ...]:
+        pairs = ([step, f"put-down-{step}"] if step.startswith("lift") else [step] for step in steps)
+        return tuple(PlanStep(one, "item-01") for pair in pairs for one in pair)
+
+    every = itertools.combinations_with_replacement(names, primitives(found.steps))
+    cheapest = min(price(steps) for steps in every if validate(down(steps), task, learned).valid)
+    assert price(tuple(step.operator for step in found.steps if not step.puts_down)) == cheapest
+    assert fewest_steps(task, learned) == primitives(found.steps)
 
 
-def of(name: str, *steps: PlanStep) -> tuple[PlanStep, ...]:
-    return tuple(PlanStep(step.operator, name) for step in steps)
-
-
-TWO = (item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.0832))
-
-
-@pytest.mark.parametrize(
-    ("steps", "concerned"),
-    [
-        (of("item-02", LEFT), ()),
-        (of("item-01", LEFT), ("item-01", "item-02")),  # where the other is
-        ((*of("item-02", LIFT), *of("item-01", PUSH)), ("item-01", "item-02")),  # which is still held
-        (of("item-01", *[LEFT] * 6), ("item-01", "item-02")),
-        (of("item-02", *[LEFT] * 6), ("item-02",)),  # off the table
-        (of("item-02", DOWN), ("item-02",)),
-        ((), ("item-02",)),  # far from its goal
-    ],
-)
-def test_replay_names_whom_its_reason_concerns(steps: tuple[PlanStep, ...], concerned: tuple[str, ...]):
-    task = Problem("p", TWO, {"item-02": (0.5, 0.1664, 0.025)})
-    assert validate(steps, task, grounding()).concerned == concerned
+def test_objects_with_one_goal_end_beside_each_other():
+    learned = tables.grounding()
+    items = (tables.item("item-01", 0.4, 0.0), tables.item("item-02", 0.4, 0.12))
+    spot = (0.57, 0.06, 0.025)
+    task = Problem("p", items, {"item-01": spot, "item-02": spot})
+    found = plan(task, learned, "counting")
+    assert found.status is PlanStatus.SOLVED, found.reason
+    assert validate(found.steps, task, learned).valid
+    assert primitives(found.steps) >= fewest_steps(task, learned)

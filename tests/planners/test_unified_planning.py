@@ -72,16 +72,3 @@ def test_first_action_that_cannot_be_performed_is_named_or_the_goal_that_is_not_
         assert validate_pddl(DOMAIN, PROBLEM, part).reason == "(done item-01) does not hold in the end"
     with pytest.raises(InvalidValue, match="PDDL"):
         validate_pddl("(define", PROBLEM, actions())
-
-
-@pytest.mark.parametrize(
-    ("action", "reason"),
-    [
-        (("fly", "item-01"), "the domain has no action fly"),
-        (("reach-cell", "item-01"), "reach-cell takes 3 arguments, not 1"),
-        (("reach-cell", "item-77", "x00", "y00"), "the problem has no object item-77"),
-        (("reach-cell", "x00", "x00", "y00"), "x00 is no thing"),
-    ],
-)
-def test_action_that_cannot_be_is_named(action: tuple[str, ...], reason: str):
-    assert validate_pddl(DOMAIN, PROBLEM, [action]) == PddlVerdict(False, reason, 1)
