@@ -1,9 +1,7 @@
 """The forms that plans are written in, as planners and services print them, one form a row."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
-
-import numpy as np
+from typing import Any, NamedTuple
 
 
 class Form(NamedTuple):
@@ -41,9 +39,7 @@ class Form(NamedTuple):
         )
 
 
-def edited(
-    actions: Sequence[Sequence[str]], rng: np.random.Generator, words: Sequence[str]
-) -> list[list[str]]:
+def edited(actions: Sequence[Sequence[str]], rng: Any, words: Sequence[str]) -> list[list[str]]:
     """Drop, double or swap ground actions, or change a word of one."""
     changed = [[*action] for action in actions]
     at, other = (int(number) for number in rng.integers(len(changed), size=2))

@@ -3,13 +3,13 @@
 import re
 import subprocess
 import sys
-import warnings
 from pathlib import Path
 
 import pytest
 from command_line import neurosym as command
 from documents import blocks, python_blocks
 from places import DOCS, ROOT
+from validators import quiet
 
 import neurosym
 from neurosym.execution.record import Run
@@ -121,8 +121,7 @@ def test_every_name_of_the_python_api_is_in_the_reference_and_documented():
 
 def test_a_plan_of_unified_planning_comes_true(capsys):
     (block,) = python_blocks("other-plans.md")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # unified-planning and what it imports, not ours to mend
+    with quiet():
         exec(compile(block, "other-plans.md", "exec"), {})
     assert capsys.readouterr().out.strip().endswith("3 True")
 

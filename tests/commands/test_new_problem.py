@@ -58,9 +58,8 @@ def test_scene_that_would_replace_another_problem_is_refused_unless_it_is_named(
     assert neurosym("new-problem", bare, "--scene", mine) == 0
     other = msgspec.structs.replace(toy_domain.problem(AWAY), tolerance=0.03)
     other.save(mine)
-    assert "has a problem mine already; give another name" in refusal(
-        capsys, "new-problem", bare, "--scene", mine
-    )
+    said = refusal(capsys, "new-problem", bare, "--scene", mine)
+    assert "has a problem mine already; give another name" in said
     assert Problem.load(bare / "problems/mine.scene.json").tolerance == 0.05
     assert neurosym("new-problem", bare, "--scene", mine, "--name", "mine") == 0
     assert f"replaced {bare}/problems/mine.pddl" in capsys.readouterr().out
@@ -74,9 +73,7 @@ def test_options_that_do_not_go_together_and_files_that_are_no_scenes_are_refuse
     for name in ((), ("--name", "x")):
         said = refusal(capsys, "new-problem", bare, "--scene", mine.parent, *name)
         assert str(mine.parent) in said
-    task = toy_domain.problem(
-        AWAY
-    )  # what a run saw may be a little off the table; what somebody writes may not
+    task = toy_domain.problem(AWAY)  # what a run saw may be a little off; what somebody writes may not
     off = msgspec.structs.replace(task.objects[0], position=(toy_domain.WORLD.table.x[1] + 0.01, 0.0, 0.025))
     msgspec.structs.replace(task, objects=(off,)).save(mine)
     assert "item-01 stands at" in refusal(capsys, "new-problem", bare, "--scene", mine)
@@ -104,9 +101,8 @@ def test_drawn_problem_is_the_same_at_any_tolerance(folder, capsys):
         asked = () if tolerance is None else ("--tolerance", tolerance)
         assert neurosym("new-problem", folder, "--name", name, "--seed", 4, *asked) == 0
     assert "note: it is met at the start, within 900 mm" in capsys.readouterr().out
-    plain, fine, coarse = (
-        Problem.load(folder / f"problems/{name}.scene.json") for name in ("plain", "fine", "coarse")
-    )
+    files = (folder / f"problems/{name}.scene.json" for name in ("plain", "fine", "coarse"))
+    plain, fine, coarse = map(Problem.load, files)
     assert (plain.tolerance, fine.tolerance, coarse.tolerance) == (0.05, 0.01, 0.9)
     assert plain.goals == fine.goals == coarse.goals
     assert plain.objects == fine.objects == coarse.objects

@@ -52,9 +52,7 @@ def test_missing_file_is_named_with_the_command_that_writes_it(folder, file, com
         ("problems/task-01.scene.json", "manifest.json", ("plan", *PLAN)),
     ],
 )
-def test_damaged_file_or_another_in_its_place_is_refused_by_name_and_nothing_is_written(
-    folder, file, content, command, capsys
-):
+def test_damaged_file_or_another_is_refused_and_nothing_is_written(folder, file, content, command, capsys):
     (folder / file).write_bytes((folder / content).read_bytes() if content else b"\x00garbage")
     before = contents(folder)
     assert file in refusal(capsys, command[0], folder, *command[1:])
@@ -64,9 +62,7 @@ def test_damaged_file_or_another_in_its_place_is_refused_by_name_and_nothing_is_
 @pytest.mark.parametrize(
     "options", [["--strategy", "random", "--seed", 4], ["--seed", 3, "--strategy", "active"]]
 )
-def test_finished_interactions_are_not_replaced_by_others_where_the_checkpoint_is_gone(
-    folder, options, capsys
-):
+def test_finished_interactions_are_not_replaced_where_the_checkpoint_is_gone(folder, options, capsys):
     for name in ("exploration.safetensors", "interactions.partial.npz"):
         (folder / name).unlink(missing_ok=True)
     before = (folder / "interactions.npz").read_bytes()

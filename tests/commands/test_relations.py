@@ -104,14 +104,12 @@ def test_compiled_page_holds_relations_and_files_of_earlier_versions_are_removed
     assert neurosym("plan", bare, "tower") == 0
 
 
-def test_explanation_says_what_states_kinds_and_actions_mean(tmp_path, capsys):
-    folder = tmp_path / "domain"
-    (folder / "relations").mkdir(parents=True)
-    (folder / "world.toml").write_text('world = "toy-relations"\n')
-    (folder / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
-    table = toy_domain.grounding().operators
-    (folder / "primitives.json").write_bytes(msgspec.json.encode(table))
-    assert neurosym("explain", folder, "--all") == 0
+def test_explanation_says_what_states_kinds_and_actions_mean(bare, capsys):
+    (bare / "grounding.json").unlink()
+    (bare / "relations").mkdir()
+    (bare / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
+    (bare / "primitives.json").write_bytes(msgspec.json.encode(toy_domain.grounding().operators))
+    assert neurosym("explain", bare, "--all") == 0
     said = " ".join(capsys.readouterr().out.split())
     assert "one object bears another in rests-on-001, lies-in-010. Of 3 operators on pairs, 2 are in" in said
     assert "Relating symbol 01: brings pairs to rests-on-001, lies-in-010" in said

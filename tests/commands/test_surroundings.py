@@ -93,9 +93,7 @@ def test_interrupt_while_the_command_line_is_imported_brings_no_traceback(module
         (ImportError("a.so: failed to map segment from shared object"), 2, "There is not enough memory"),
     ],
 )
-def test_how_a_command_ends_decides_the_exit_code_and_errors_are_told_in_a_sentence(
-    monkeypatch, capsys, error, code, said
-):
+def test_how_a_command_ends_decides_the_exit_code_and_what_is_told(monkeypatch, capsys, error, code, said):
     def planners() -> int:
         if isinstance(error, int):
             return error

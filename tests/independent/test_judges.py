@@ -114,9 +114,7 @@ def _random_steps(
     ],
     ids=["cells", "numbers", "places", "relations"],
 )
-def test_judge_of_pddl_agrees_with_unified_planning(
-    encoding: str, learned: Grounding, problem: Problem, tmp_path: Path
-):
+def test_judge_of_pddl_agrees_with_unified_planning(encoding: str, learned, problem, tmp_path: Path):
     """Of a plan, and of the same without any one of its actions."""
     steps = [PlanStep(*step) for step in SOLVED]
     steps = steps if problem == errand() else make_plan(problem, learned).steps

@@ -2,7 +2,6 @@
 
 import math
 import re
-import warnings
 from fractions import Fraction
 from pathlib import Path
 
@@ -13,6 +12,7 @@ import toy_relations
 from msgspec.structs import replace
 from places import ROOT
 from toy_places import NAME, grounding, mixed, scene, swap
+from validators import quiet
 
 from neurosym.contract import way_seconds
 from neurosym.errors import InvalidValue
@@ -43,8 +43,7 @@ PLACES = Grounding.load(ROOT / "domains/places/grounding.json")
 
 
 def test_unified_planning_reads_types_and_durations_and_accepts_a_plan():
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # unified-planning and what it imports, not ours to mend
+    with quiet():
         from unified_planning.io import PDDLReader
         from unified_planning.model import DurativeAction
         from unified_planning.shortcuts import PlanValidator

@@ -99,9 +99,7 @@ def uneven() -> Grounding:
     return replace(learned, operators=replace(learned.operators, operators=operators))
 
 
-@pytest.mark.parametrize(
-    "learned", [grounding(), uneven(), rehearsed.grounding()], ids=["even", "uneven", "by size"]
-)
+@pytest.mark.parametrize("learned", [grounding(), uneven(), rehearsed.grounding()])
 def test_plans_that_numbers_allow_are_true_when_replayed(learned: Grounding):
     """The claim of the margins: within so many steps, no plan leaves the table or misses its goal."""
     rng, used = np.random.default_rng(1), set()

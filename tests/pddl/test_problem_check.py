@@ -64,9 +64,8 @@ def test_what_cannot_be_is_refused_before_anything_is_done(folder, capsys, key, 
     cube = {"features": [0.05, 0.05, 0.05, 0], "position": [0.6, 0.0, 0.025]}
     task["objects"][0] |= cube
     one = key == "objects" and changes
-    scene.write_text(
-        json.dumps(task | {key: [task["objects"][0] | one, *task["objects"][1:]] if one else changes})
-    )
+    changed = [task["objects"][0] | one, *task["objects"][1:]] if one else changes
+    scene.write_text(json.dumps(task | {key: changed}))
     (folder / "empty.plan").write_text("")
     before = sorted(folder.rglob("*"))
     for command, more in (("plan", ()), ("execute", (folder / "empty.plan", "--replans", 0))):
@@ -120,9 +119,8 @@ def test_limits_are_read_without_making_the_world(tmp_path):
     assert read_limits(SHIPPED / "world.toml") == LIMITS
     file = tmp_path / "world.toml"
     file.write_text('world = "tabletop"\n[options]\nsize = [0.05, 0.1]\nshapes = { ring = 1.0, box = 0.0 }\n')
-    assert read_limits(file) == ObjectLimits(
-        ("s_x", "s_y", "d", "t"), ((0.05, 0.1), (0.05, 0.1), (0.02, 0.1)), (2.0,), 8
-    )
+    sizes = ((0.05, 0.1), (0.05, 0.1), (0.02, 0.1))
+    assert read_limits(file) == ObjectLimits(("s_x", "s_y", "d", "t"), sizes, (2.0,), 8)
     file.write_text('world = "nowhere:make"\n')
     assert read_limits(file) is None
 

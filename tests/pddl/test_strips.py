@@ -32,15 +32,13 @@ from neurosym.pddl.durative import durative_domain_text, durative_problem_text
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips import WORDS, page
-from neurosym.pddl.strips_plan import action_for, write
-from neurosym.pddl.strips_problem import StripsProblem
+from neurosym.pddl.strips_plan import action_for
 from neurosym.pddl.syntax import ENCODINGS, EncodingName
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.bfs import branching_of
 from neurosym.planners.external import PORTFOLIO, Search, plan_fast_downward
 from neurosym.problems import Problem
 from neurosym.tasks.options import cost, puts_of
-from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep
 
 LINES, BYTES, ACTIONS, LONGEST_NAME = 150, 12_000, 20, 32
@@ -105,9 +103,7 @@ def test_everything_is_positive_strips_in_small_letters(learned: Grounding, task
 
 
 @of_each_kind
-def test_plan_of_fast_downward_is_valid_and_so_is_ours_of_the_same_steps(
-    learned: Grounding, task: Problem, tmp_path: Path
-):
+def test_plan_of_fast_downward_is_valid_and_so_is_ours_of_the_same_steps(learned, task, tmp_path: Path):
     domain, file = tmp_path / "domain.pddl", tmp_path / "problem.pddl"
     domain.write_text(domain_text(learned))
     file.write_text(problem_text(task, learned))
@@ -165,39 +161,6 @@ def test_a_shipped_domain_fits_on_a_page_and_its_problems_are_short(name: str):
     for file in (ROOT / "domains" / name / "problems").glob("*[0-9].pddl"):
         most = WITH_CELLS if "(at-x " in file.read_text() else WITH_RELATIONS
         assert file.stat().st_size <= most, file
-
-
-SHIPPED = Path("domains/tabletop")
-
-
-def test_cheapest_plan_is_one_of_the_page_and_as_cheap_as_after_translation(tmp_path: Path):
-    """On the same cells: the page of a folder has coarser ones."""
-    learned = Grounding.load(SHIPPED / "grounding.json")
-    task = understand(Problem.load(SHIPPED / "problems/task-01.scene.json"), learned)
-    page = StripsProblem(task, led=task.names, grid=learned)
-    texts = {
-        "task.sas": sas_text(task.problem, learned),
-        "domain.pddl": domain_text(learned),
-        "problem.pddl": page.data().text(),
-    }
-    for file, text in texts.items():
-        (tmp_path / file).write_text(text)
-
-    def solve(*files: str) -> tuple[PlanStep, ...]:
-        domain, problem = (tmp_path / file for file in files)
-        answer = plan_fast_downward(domain, problem, time_limit=60.0, searches=(Search("astar(blind())"),))
-        assert answer.status is PlanStatus.SOLVED, answer.reason
-        return parse_plan(answer.text, problem, task.grounding, task.problem, lambda _: page)
-
-    def price(steps: tuple[PlanStep, ...]) -> int:
-        costs = {move.name: move.cost for move in task.moves_on(learned, task.names[0])}
-        return sum(costs[step.operator] for step in steps)
-
-    ours, theirs = solve("task.sas", "task.sas"), solve("domain.pddl", "problem.pddl")
-    assert price(ours) == price(theirs) > 0
-    every = StripsProblem(task, led=task.names, grid=learned, every=True)
-    lines = [f"({' '.join(words)})" for words in write(ours, every).actions]
-    assert judge(texts["domain.pddl"], every.data().text(), "\n".join(lines)) == ""
 
 
 @pytest.mark.parametrize("search", PORTFOLIO, ids=lambda one: one.configuration[:12])

@@ -19,9 +19,8 @@ from neurosym.tasks.transition import validate
 
 def far_away(primitives: int, objects: int = 1) -> tuple[Problem, Branching]:
     """A goal that no three of so many short pushes reach."""
-    items = tuple(
-        SceneObject(f"item-{n}", "00", (0.02,) * 4, (0.4, 0.05 * n - 0.2, 0.02)) for n in range(objects)
-    )
+    spots = [(0.4, 0.05 * n - 0.2, 0.02) for n in range(objects)]
+    items = tuple(SceneObject(f"item-{n}", "00", (0.02,) * 4, spot) for n, spot in enumerate(spots))
     effects = np.tile([0.01, 0.0, 0.0], (objects, primitives, 1))
     names = tuple(tuple(f"op-{p}-{n}" for p in range(primitives)) for n in range(objects))
     held = np.zeros((objects, primitives), dtype=bool)
@@ -87,9 +86,8 @@ def test_plans_are_true_and_no_longer_than_those_of_fast_downward(problem: Probl
 
 
 def test_what_bears_something_is_put_only_on_what_stands_at_a_place():
-    objects = scene(
-        ("cube", 0.5, -0.2, 0.05), ("cube", 0.5, -0.2), ("cube", 0.5, 0.1, 0.05), ("block", 0.5, 0.1)
-    )
+    stacks = [("cube", 0.5, -0.2, 0.05), ("cube", 0.5, -0.2), ("cube", 0.5, 0.1, 0.05), ("block", 0.5, 0.1)]
+    objects = scene(*stacks)
     goals = (("item-02", "item-03", REST),)
     problem = with_pairs(Problem("laden", objects, {}, relations=goals), relations())
     steps = plan(problem, toy_relations.grounding(), "bfs").steps

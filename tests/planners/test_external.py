@@ -48,9 +48,8 @@ def scratch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def solved_by(script: str, *, time_limit: float = 20.0, encoding: str = "numeric") -> PlanResult:
     """What comes of planning with a script as the planner."""
-    program = Program(
-        "Script", "neurosym", ("{python}", "-c", script, "{domain}", "{problem}"), plans="plan*"
-    )
+    command = ("{python}", "-c", script, "{domain}", "{problem}")
+    program = Program("Script", "neurosym", command, plans="plan*")
     call = partial(plan_program, program=program)
     script_planner = pddl_planner("script", "a script", call, (encoding,), missing=program.missing)
     return plan(TASK, grounding(), script_planner, time_limit=time_limit)
@@ -98,9 +97,7 @@ if os.fork() == 0:
 
 @pytest.mark.parametrize("knows", [True, False], ids=["", "the system does not tell of processes"])
 @pytest.mark.parametrize("script", [SLEEP, "while True: print('rubbish')", ORPHAN + SLEEP])
-def test_planner_that_never_ends_is_ended_with_all_its_children(
-    scratch: Path, script: str, knows: bool, monkeypatch: pytest.MonkeyPatch
-):
+def test_planner_that_never_ends_is_ended_with_all_its_children(scratch, script, knows, monkeypatch):
     if not knows:
         monkeypatch.setattr("neurosym.planners.keeper.marked", lambda _: [])
         script = SLEEP
