@@ -45,18 +45,8 @@ def usually(function, **usual):
 
 
 STILL, AWAY = (0.0, 0.0, 0.0), (0.08, 0.0, 0.0)
-mode = usually(
-    Mode,
-    kind="resting",
-    count=9,
-    share=1.0,
-    effect=AWAY,
-    spread=STILL,
-    resting_effect=AWAY,
-    resting_spread=STILL,
-    peak_height=0.0,
-    near_mean=9,
-)
+ends = {"effect": AWAY, "spread": STILL, "resting_effect": AWAY, "resting_spread": STILL}
+mode = usually(Mode, kind="resting", count=9, share=1.0, peak_height=0.0, near_mean=9, **ends)
 columns = usually(
     ns.Interactions,
     features=np.zeros((3, 4)),
@@ -86,24 +76,10 @@ draw, draw_task = usually(ns.draw_problem, **drawing), usually(ns.draw_task, **d
 put = usually(set_problem, **drawing)
 execute = usually(ns.execute, world=TOY, problem=PROBLEM, grounding=GROUNDING, plan=(STEP,))
 plan = usually(ns.plan, problem=PROBLEM, grounding=GROUNDING, planner="counting")
-choose = usually(
-    ns.choose,
-    candidates=(PRIMITIVE,),
-    choice="predictable",
-    predict=lambda features, _: np.zeros((len(features), 4)),
-    features=SCENE.features,
-    categorise=categorise,
-    world_factory=make_world,
-    seed=0,
-)
-rehearse = usually(
-    ns.rehearse,
-    world_factory=make_world,
-    primitives=(PRIMITIVE,),
-    categorise=categorise,
-    objects=2,
-    seed=0,
-)
+trying = {"categorise": categorise, "world_factory": make_world, "seed": 0}
+seen = {"predict": lambda features, _: np.zeros((len(features), 4)), "features": SCENE.features}
+choose = usually(ns.choose, candidates=(PRIMITIVE,), choice="predictable", **seen, **trying)
+rehearse = usually(ns.rehearse, primitives=(PRIMITIVE,), objects=2, **trying)
 act = usually(check_action, world=TOY, scene=SCENE, action=np.zeros(12), target=0)
 planner = usually(ns.Planner, name="mine", about="mine", solve=print)
 

@@ -1,7 +1,7 @@
 """The forms that plans are written in, as planners and services print them, one form a row."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Form(NamedTuple):
@@ -37,6 +37,22 @@ class Form(NamedTuple):
             number=number,
             first="step    " if number == 0 else "        ",
         )
+
+
+def edited(actions: Sequence[Sequence[str]], rng: Any, words: Sequence[str]) -> list[list[str]]:
+    """Drop, double or swap ground actions, or change a word of one."""
+    changed = [[*action] for action in actions]
+    at, other = (int(number) for number in rng.integers(len(changed), size=2))
+    kind = rng.integers(4)
+    if kind == 0:
+        del changed[at]
+    elif kind == 1:
+        changed.insert(other, changed[at])
+    elif kind == 2:
+        changed[at], changed[other] = changed[other], changed[at]
+    else:
+        changed[at][int(rng.integers(len(changed[at])))] = str(rng.choice(words))
+    return changed
 
 
 FORMS = {

@@ -1,5 +1,7 @@
 """A table of operators written by hand: two categories, four primitives, one lift, one null."""
 
+from msgspec.structs import replace
+
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive, Vector
 from neurosym.pddl import compile_domain
@@ -49,6 +51,14 @@ def table() -> OperatorTable:
 
 def grounding(cell: float = 0.005) -> Grounding:
     return compile_domain(table(), name="tabletop", cell=cell, table_bounds=BOUNDS, lift_height=0.2)
+
+
+def with_modes(name: str, *modes: Mode, learned: Grounding | None = None) -> Grounding:
+    """A domain, this one if none is given, in which one operator turned out so."""
+    learned = learned or grounding()
+    table = learned.operators
+    changed = (replace(one, modes=modes) if one.name == name else one for one in table.operators)
+    return replace(learned, operators=replace(table, operators=tuple(changed)))
 
 
 def item(name: str, x: float, y: float, *, category: str = "00", height: float = 0.05) -> SceneObject:

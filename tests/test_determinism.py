@@ -73,9 +73,8 @@ def test_a_fresh_process_and_a_used_one_give_the_same_bytes(others):
     assert b"".join(used[others:]) == fresh
 
 
-QUICK = ExplorationConfig(
-    candidates=20, block=16, learning=LearningConfig(epochs=1, ensemble=2, ensemble_hidden=16)
-)
+LEARNING = LearningConfig(epochs=1, ensemble=2, ensemble_hidden=16)
+QUICK = ExplorationConfig(candidates=20, block=16, learning=LEARNING)
 
 
 def explored(folder, steps, **options):

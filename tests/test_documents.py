@@ -1,18 +1,21 @@
-"""The documents: what they point to and the tests that they name exist."""
+"""The documents: what they point to and name exists, and their films show runs that reached the goal."""
 
 import re
 import subprocess
 import sys
-import warnings
 from pathlib import Path
 
 import pytest
 from command_line import neurosym as command
 from documents import blocks, python_blocks
 from places import DOCS, ROOT
+from validators import quiet
 
 import neurosym
+from neurosym.execution.record import Run
+from neurosym.files import read_json
 from tools import draw_docs, prose
+from tools.draw_films import FILMS, words
 from tools.write_commands import page
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -118,7 +121,23 @@ def test_every_name_of_the_python_api_is_in_the_reference_and_documented():
 
 def test_a_plan_of_unified_planning_comes_true(capsys):
     (block,) = python_blocks("other-plans.md")
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # unified-planning and what it imports, not ours to mend
+    with quiet():
         exec(compile(block, "other-plans.md", "exec"), {})
     assert capsys.readouterr().out.strip().endswith("3 True")
+
+
+SAID = {
+    "tabletop": ["lift item-04", "lift item-03", "lift item-05", "push right item-05"],
+    "tabletop-paper": ["push forward right item-03", "pull right item-05", "push forward right item-05"],
+    "row": [f"carry item-0{number} to its goal" for number in (4, 3, 2, 1)],
+    "tower": ["item-02 rests on item-03", "item-04 rests on item-02", "item-01 rests on item-04"],
+}
+
+
+@pytest.mark.parametrize("name", FILMS)
+def test_a_film_is_of_a_run_that_reached_its_goal_and_says_its_steps(name: str):
+    domain, problem = FILMS[name]
+    run = read_json(ROOT / "domains" / domain / "runs" / f"{problem}.fast-downward.run.json", Run)
+    assert run.reached
+    assert [words(record) for record in run.steps] == SAID[name]
+    assert f"(images/{name}.gif)" in (ROOT / "docs" / "index.md").read_text()

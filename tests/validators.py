@@ -1,14 +1,23 @@
 """Other people's programs that judge what we print."""
 
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 
-def unified_planning_accepts(domain: Path, task: Path, plan: str) -> bool:
+@contextmanager
+def quiet() -> Iterator[None]:
+    """Hear no warnings of unified-planning and of what it imports, which are not ours to mend."""
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # unified-planning and what it imports, not ours to mend
+        warnings.simplefilter("ignore")
+        yield
+
+
+def unified_planning_accepts(domain: Path, task: Path, plan: str) -> bool:
+    with quiet():
         from unified_planning.engines import SequentialPlanValidator
         from unified_planning.io import PDDLReader
 

@@ -1,6 +1,10 @@
-"""The command line refuses files that are missing, damaged or of another kind, and writes nothing."""
+"""Files that are missing, damaged or of another kind are refused; answers are JSON, or go through pipes."""
 
+import io
 import json
+import shutil
+import sys
+from pathlib import Path
 
 import pytest
 from command_line import contents, neurosym, refusal
@@ -48,9 +52,7 @@ def test_missing_file_is_named_with_the_command_that_writes_it(folder, file, com
         ("problems/task-01.scene.json", "manifest.json", ("plan", *PLAN)),
     ],
 )
-def test_damaged_file_or_another_in_its_place_is_refused_by_name_and_nothing_is_written(
-    folder, file, content, command, capsys
-):
+def test_damaged_file_or_another_is_refused_and_nothing_is_written(folder, file, content, command, capsys):
     (folder / file).write_bytes((folder / content).read_bytes() if content else b"\x00garbage")
     before = contents(folder)
     assert file in refusal(capsys, command[0], folder, *command[1:])
@@ -60,9 +62,7 @@ def test_damaged_file_or_another_in_its_place_is_refused_by_name_and_nothing_is_
 @pytest.mark.parametrize(
     "options", [["--strategy", "random", "--seed", 4], ["--seed", 3, "--strategy", "active"]]
 )
-def test_finished_interactions_are_not_replaced_by_others_where_the_checkpoint_is_gone(
-    folder, options, capsys
-):
+def test_finished_interactions_are_not_replaced_where_the_checkpoint_is_gone(folder, options, capsys):
     for name in ("exploration.safetensors", "interactions.partial.npz"):
         (folder / name).unlink(missing_ok=True)
     before = (folder / "interactions.npz").read_bytes()
@@ -71,33 +71,13 @@ def test_finished_interactions_are_not_replaced_by_others_where_the_checkpoint_i
     assert (folder / "interactions.npz").read_bytes() == before
 
 
-@pytest.mark.parametrize(
-    ("line", "message"),
-    [
-        ("(fly item-01)", "no operator 'fly'"),
-        ("(OPERATOR item-09)", "no object 'item-09'; valid: item-01"),
-        ("shove it", "has no steps"),
-    ],
-)
-def test_plan_that_cannot_be_read_is_refused_with_its_line(kept, tmp_path, line, message, capsys):
-    operator = json.loads((kept / "primitives.json").read_text())["operators"][0]["name"]
-    plan = tmp_path / "mine.plan"
-    plan.write_text(f"; a comment\n{line.replace('OPERATOR', operator)}\n")
-    said = refusal(capsys, "execute", kept, "task-01", plan)
-    assert message in said
-    assert f"{plan}, line {1 if line == 'shove it' else 2}" in said
-
-
-def test_missing_plan_file_is_refused(folder, capsys):
-    assert "none.plan" in refusal(capsys, "execute", folder, "task-01", folder / "none.plan")
-    for path in (folder / "problems", "/dev/null"):
-        assert f"{path} cannot be used: it is no file" in refusal(capsys, "execute", folder, "task-01", path)
-
-
-def test_plan_without_a_step_is_executed_with_a_note(folder, capsys):
-    (folder / "empty.plan").write_text("; nothing\n")
-    assert neurosym("execute", folder, "task-01", folder / "empty.plan", "--replans", 0) == 3
-    assert f"note: {folder / 'empty.plan'} holds no step" in capsys.readouterr().out
+def test_plan_file_that_is_none_is_refused_and_one_without_a_step_is_noted(kept, tmp_path, capsys):
+    for path in (kept / "problems", "/dev/null"):
+        assert f"{path} cannot be used: it is no file" in refusal(capsys, "execute", kept, "task-01", path)
+    folder, empty = shutil.copytree(kept, tmp_path / "toy"), tmp_path / "empty.plan"
+    empty.write_text("; nothing\n")
+    assert neurosym("execute", folder, "task-01", empty, "--replans", 0) == 3
+    assert f"note: {empty} holds no step" in capsys.readouterr().out
 
 
 def test_folder_that_is_no_domain_folder_is_called_so(tmp_path, capsys):
@@ -126,3 +106,68 @@ def test_folder_that_is_missing_there_already_or_cannot_be_made_is_refused(folde
     assert f"no folder {tmp_path / 'nowhere'}" in refusal(capsys, "explore", tmp_path / "nowhere")
     assert "Not a directory" in refusal(capsys, "init", folder / "world.toml" / "below")
     assert "exists already" in refusal(capsys, "init", folder)
+
+
+PLAN_FILE = "plans/task-01.fast-downward.plan"
+
+
+def answered(capsys, *arguments: object) -> object:
+    """What a command printed as JSON; it printed nothing else."""
+    capsys.readouterr()
+    neurosym(*arguments)
+    return json.loads(capsys.readouterr().out)
+
+
+def test_programs_are_told_in_json_what_is_recorded(folder, capsys):
+    plan = answered(capsys, "plan", folder, "task-01", "--json")
+    recorded = json.loads((folder / PLAN_FILE).with_suffix(".json").read_text())
+    assert plan["status"] == "solved"
+    assert {**plan, "seconds": 0} == {"file": str(folder / PLAN_FILE), **recorded, "seconds": 0}
+    run = answered(capsys, "execute", folder, "task-01", folder / PLAN_FILE, "--json")
+    assert run["reached"] in (True, False)
+    assert len(run["steps"]) >= 1
+    held = answered(capsys, "check", folder, "--json")
+    assert (held["interactions"], held["actions"], held["problems"]) == (1024, 12, [])
+    assert answered(capsys, "explain", folder, "--json")["actions"]
+    names = [one["name"] for one in answered(capsys, "planners", "--json")]
+    assert {"bfs", "counting", "fast-downward"} <= {*names}
+
+
+def test_quiet_commands_print_only_what_goes_wrong(folder, capsys):
+    assert neurosym("--quiet", "plan", folder, "task-01") == 0
+    assert neurosym("execute", folder, "task-01", folder / PLAN_FILE, "--quiet") in (0, 3)
+    assert capsys.readouterr().out == ""
+    assert "no problem 'task-99'" in refusal(capsys, "plan", folder, "task-99", "--quiet")
+    assert neurosym("planners") == 0
+    assert "Planners" in capsys.readouterr().out
+
+
+def test_plans_go_through_pipes(folder, capsys, monkeypatch):
+    assert neurosym("plan", folder, "task-01", "--output", "-") == 0
+    text = capsys.readouterr().out
+    assert text.strip() == (folder / PLAN_FILE).read_text().strip()
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(text.encode())))
+    assert neurosym("execute", folder, "task-01", "-") in (0, 3)
+    assert (folder / "runs" / "task-01.stdin.run.json").is_file()
+    assert (folder / "plans" / "task-01.stdin.plan").read_text().strip() == text.strip()
+
+
+@pytest.mark.parametrize("data", [b"rubbish\n", b"\xff\xfe", b"x" * 70_000_000])
+def test_what_is_no_plan_is_refused_and_leaves_nothing(kept, capsys, monkeypatch, data):
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(data)))
+    assert "standard input" in refusal(capsys, "execute", kept, "task-02", "-").lower()
+
+
+def test_plan_is_written_where_it_can_be(folder, tmp_path, capsys):
+    asked = ("plan", folder, "task-01", "--output")
+    assert neurosym(*asked, tmp_path / "a.plan") == 0
+    assert (tmp_path / "a.plan").read_text() == (folder / PLAN_FILE).read_text()
+    for output, said in (
+        (tmp_path / "missing/a.plan", "No plan can be written to"),
+        (tmp_path, "No plan can be written to"),
+        ("/dev/full", "should be a file"),
+        ("/dev/null", "should be a file"),
+    ):
+        assert said in refusal(capsys, *asked, output)
+    assert Path("/dev/null").is_char_device()
+    assert "leave one of them out" in refusal(capsys, *asked, "-", "--json")

@@ -1,4 +1,4 @@
-"""Commands on a domain with relations: scenes by hand, plans, runs, records, and what they say."""
+"""Commands on a domain with relations; and records that are run again, of here, of elsewhere, of old."""
 
 import json
 from pathlib import Path
@@ -7,8 +7,9 @@ import msgspec
 import pytest
 import toy_domain
 from command_line import neurosym, refusal
-from toy_relations import LIE, PUT_ON, REST, grounding, relations, scene, sorting, tower, tower_at_place
+from toy_relations import LIE, PUT_ON, REST, grounding, relations, sorting, tower, tower_at_place
 
+from neurosym.execution.record import this_machine
 from neurosym.pddl.compiler import problem_text
 from neurosym.problems import Problem
 
@@ -65,8 +66,6 @@ def test_encoding_can_be_asked_for_and_what_cannot_say_relations_is_refused(bare
     ("change", "said"),
     [
         ({"relations": (("item-01", "item-02", LIE),)}, "no operator brings item-01 to lies-in-010 with"),
-        ({"objects": scene(("cube", 0.5, 0.0, 0.2), ("cube", 0.7, 0.0))}, "does not rest"),
-        ({"objects": scene(("cube", 0.5, 0.0), ("cube", 0.51, 0.0))}, "stand in one place"),
         ({"pairs": {"item-01 item-09": "00"}}, "pairs has an entry for 'item-01 item-09'; valid: the"),
         ({"foreseen": {"item-01": {"op": 1}}}, "foreseen has an entry for 'item-01'"),
         ({"touching": (("item-01", "item-01"),)}, "touching has an entry for 'item-01 item-01'"),
@@ -74,8 +73,7 @@ def test_encoding_can_be_asked_for_and_what_cannot_say_relations_is_refused(bare
 )
 def test_scenes_that_cannot_be_are_refused_in_one_sentence(bare, tmp_path, capsys, change, said):
     file = tmp_path / "bad.json"
-    simple = {"relations": (("item-01", "item-02", REST),)} if "objects" in change else {}
-    msgspec.structs.replace(tower(), name="bad", **simple, **change).save(file)
+    msgspec.structs.replace(tower(), name="bad", **change).save(file)
     assert said in refusal(capsys, "new-problem", bare, "--scene", file)
 
 
@@ -106,14 +104,12 @@ def test_compiled_page_holds_relations_and_files_of_earlier_versions_are_removed
     assert neurosym("plan", bare, "tower") == 0
 
 
-def test_explanation_says_what_states_kinds_and_actions_mean(tmp_path, capsys):
-    folder = tmp_path / "domain"
-    (folder / "relations").mkdir(parents=True)
-    (folder / "world.toml").write_text('world = "toy-relations"\n')
-    (folder / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
-    table = toy_domain.grounding().operators
-    (folder / "primitives.json").write_bytes(msgspec.json.encode(table))
-    assert neurosym("explain", folder, "--all") == 0
+def test_explanation_says_what_states_kinds_and_actions_mean(bare, capsys):
+    (bare / "grounding.json").unlink()
+    (bare / "relations").mkdir()
+    (bare / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
+    (bare / "primitives.json").write_bytes(msgspec.json.encode(toy_domain.grounding().operators))
+    assert neurosym("explain", bare, "--all") == 0
     said = " ".join(capsys.readouterr().out.split())
     assert "one object bears another in rests-on-001, lies-in-010. Of 3 operators on pairs, 2 are in" in said
     assert "Relating symbol 01: brings pairs to rests-on-001, lies-in-010" in said
@@ -121,3 +117,66 @@ def test_explanation_says_what_states_kinds_and_actions_mean(tmp_path, capsys):
     assert "Pair state symbol 001: rests-on-001 Typical of it: away 0.00, above 1.00" in said
     assert "Pair symbol 11: hollow-11 20% of the pairs; on average target: s_x 0.065" in said
     assert f"- {PUT_ON} (20 trials, 19 as promised, in the domain)" in said
+
+
+@pytest.fixture
+def record(folder, capsys) -> Path:
+    """A record of a run, made here."""
+    made = next(folder.glob("runs/*.fast-downward.run.json"))
+    problem = made.name.split(".")[0]
+    plan = folder / f"plans/{problem}.fast-downward.plan"
+    assert neurosym("execute", folder, problem, plan) in (0, 3)
+    capsys.readouterr()
+    return made
+
+
+def change(record: Path, by: float, **machine) -> None:
+    """Make of a record what another machine might have written."""
+    run = json.loads(record.read_text())
+    for step in run["steps"]:
+        step["positions"] = {name: [x + by, y, z] for name, (x, y, z) in step["positions"].items()}
+    run["machine"] = {**run["machine"], **machine} if run["machine"] else None
+    record.write_text(json.dumps(run))
+
+
+def test_record_names_its_machine_and_is_the_same_each_time(folder, record):
+    written = record.read_bytes()
+    run = json.loads(written)
+    assert run["machine"]["processor"] == this_machine().processor
+    assert run["machine"]["versions"] == this_machine().versions
+    problem = record.name.split(".")[0]
+    neurosym("execute", folder, problem, folder / f"plans/{problem}.fast-downward.plan")
+    assert record.read_bytes() == written
+
+
+def test_record_of_another_processor_is_the_same_within_a_micrometre(folder, record, capsys):
+    change(record, 3e-9, processor="Other 9000")
+    assert neurosym("replay", folder, record) == 0
+    said = capsys.readouterr().out
+    assert "within a micrometre; goal" in said
+    assert "lengths differ by 3e-06 mm at most, first in positions of step 1" in said
+    assert f"another machine than this: processor: Other 9000 and {this_machine().processor}" in said
+    assert "byte for byte; goal" not in said
+    change(record, 0.0, processor=this_machine().processor)
+    assert neurosym("replay", folder, record) == 0
+    assert "machine and versions are those of the record" in capsys.readouterr().out
+
+
+def test_record_of_an_earlier_version_can_be_run_again(folder, record, capsys):
+    run = json.loads(record.read_text())
+    del run["machine"], run["tolerance"]
+    record.write_text(json.dumps(run))
+    assert neurosym("replay", folder, record) == 0
+    assert "byte for byte" in capsys.readouterr().out
+    run["machine"] = None
+    record.write_text(json.dumps(run))
+    change(record, 1e-3)
+    assert neurosym("replay", folder, record) == 3
+    said = capsys.readouterr().out
+    for words in (
+        "something else happened",
+        "first in positions of step 1, ",
+        ", by 1 mm",
+        "the record does not name its machine",
+    ):
+        assert words in said

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from command_line import contents
 from processes import alive
 
 HANGING = """
@@ -86,10 +87,6 @@ def start_hanging(here: Path, command: str) -> "subprocess.Popen[str]":
     return process
 
 
-def files(folder: Path) -> set[str]:
-    return {str(path.relative_to(folder)) for path in folder.rglob("*")}
-
-
 @pytest.mark.parametrize(
     ("command", "number"),
     [
@@ -100,7 +97,7 @@ def files(folder: Path) -> set[str]:
     ],
 )
 def test_a_command_that_is_ended_leaves_nothing(here: Path, command: str, number: signal.Signals):
-    before = files(here / "toy")
+    before = contents(here / "toy")
     process = start_hanging(here, command)
     begin = time.monotonic()
     process.send_signal(number)
@@ -109,7 +106,7 @@ def test_a_command_that_is_ended_leaves_nothing(here: Path, command: str, number
     assert process.returncode == EXIT[number], said
     assert eventually(lambda: alive(str(here)) == []), alive(str(here))
     assert eventually(lambda: list((here / "scratch").iterdir()) == [])
-    assert {name for name in files(here / "toy") - before if "comparison" not in name} == set()
+    assert [name for name in contents(here / "toy").keys() - before if "comparison" not in name] == []
     if number != signal.SIGKILL:
         how = {signal.SIGINT: "interrupted"}.get(number, f"ended by {number.name}")
         assert said.strip().endswith(f"{how}; the same command goes on from what is written, or begins again")
@@ -119,12 +116,12 @@ def test_a_command_that_is_ended_leaves_nothing(here: Path, command: str, number
 
 def test_the_folder_and_the_planner_of_a_living_owner_are_let_alone(here: Path):
     process = start_hanging(here, "plan")
-    before = set(alive(str(here))), files(here / "scratch")
+    before = set(alive(str(here))), contents(here / "scratch").keys()
     shutil.copytree(here / "toy", here / "other")
     plan = start(here, "plan", str(here / "other"), "task-01")
     _, said = plan.communicate(timeout=60)
     assert plan.returncode in (0, 3), said
-    assert (set(alive(str(here))), files(here / "scratch")) == before
+    assert (set(alive(str(here))), contents(here / "scratch").keys()) == before
     process.terminate()
     process.communicate(timeout=60)
     assert alive(str(here)) == []

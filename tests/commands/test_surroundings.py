@@ -4,7 +4,6 @@ import errno
 import os
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -94,9 +93,7 @@ def test_interrupt_while_the_command_line_is_imported_brings_no_traceback(module
         (ImportError("a.so: failed to map segment from shared object"), 2, "There is not enough memory"),
     ],
 )
-def test_how_a_command_ends_decides_the_exit_code_and_errors_are_told_in_a_sentence(
-    monkeypatch, capsys, error, code, said
-):
+def test_how_a_command_ends_decides_the_exit_code_and_what_is_told(monkeypatch, capsys, error, code, said):
     def planners() -> int:
         if isinstance(error, int):
             return error
@@ -117,31 +114,3 @@ def test_current_folder_that_is_gone_is_told(tmp_path: Path):
     assert ended.returncode == 2
     assert "Traceback" not in ended.stderr
     assert len(ended.stderr.splitlines()) == 1
-
-
-WRITERS: dict[str, Callable[[Path, Path], tuple[object, ...]]] = {
-    "report": lambda folder, place: ("report", folder, "--output", place / "page.html"),
-    "strip": lambda folder, place: (
-        *("execute", folder, "task-01", next((folder / "plans").glob("task-01.*.plan"))),
-        *("--strip", place / "a.png"),
-    ),
-}
-
-
-@pytest.mark.parametrize("command", WRITERS)
-def test_output_that_cannot_be_written_is_noticed_before_the_work(
-    folder: Path, tmp_path: Path, monkeypatch, capsys, command: str
-):
-    place = tmp_path / "full"
-    place.mkdir()
-    before = contents(folder)
-    real = Path.open
-
-    def full(path: Path, mode: str = "r", *options: object, **named: object) -> object:
-        if path.parent == place and mode == "xb":
-            raise OSError(errno.EROFS, "Read-only file system")
-        return real(path, mode, *options, **named)
-
-    monkeypatch.setattr(Path, "open", full)
-    assert "Read-only file system" in refusal(capsys, *WRITERS[command](folder, place))
-    assert contents(folder) == before

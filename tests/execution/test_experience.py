@@ -24,9 +24,8 @@ def outcome(
         return Scene(np.zeros((1, 4)), np.array([by]), np.array([[0.0, 0.0, 0.0, 1.0]]))
 
     down = (effect[0], effect[1], 0.0)
-    return Outcome(
-        scene((0.0, 0.0, 0.0)), scene(effect), scene(down), 0, held, False, False, effect[2], touched
-    )
+    ends = (scene(one) for one in ((0.0, 0.0, 0.0), effect, down))
+    return Outcome(*ends, 0, held, False, False, effect[2], touched)
 
 
 NOTHING = outcome((0.0, 0.0, 0.0))
@@ -79,9 +78,8 @@ def test_what_failed_twice_in_a_row_is_not_tried_again():
     assert gives_up(hoping)
     assert own(hoping, PUSH).successes == grounding().operator_named(PUSH.operator).successes
     again = once.hoping_again(problem())
-    assert (
-        again.believed(problem()) == Experience(grounding()).believed(problem()) == (problem(), grounding())
-    )
+    unseen = Experience(grounding()).believed(problem())
+    assert again.believed(problem()) == unseen == (problem(), grounding())
     again.learn(LIFT, NOTHING)
     assert gives_up(again.hoping_again(problem()))
 

@@ -6,6 +6,7 @@ import msgspec
 import pytest
 import toy_places
 from msgspec.structs import replace
+from tables import with_modes
 from toy_domain import WORLD, grounding, problem
 
 from neurosym.errors import InvalidValue
@@ -54,18 +55,12 @@ def test_plan_that_misses_the_goal_is_replaced_before_it_begins():
 
 
 def test_object_held_in_vain_is_put_down_before_anything_else():
-    task, true = problem({"item-01": (0.68, 0.0, 0.225)}), grounding()
-    lift = true.operator_named("lift-000-cube")
-    askew = replace(lift, modes=(replace(lift.modes[0], effect=(0.08, 0.0, 0.2)),))
-    others = tuple(operator for operator in true.operators.operators if operator is not lift)
-    wrong = replace(true, operators=replace(true.operators, operators=(askew, *others)))
+    task, (mode,) = problem({"item-01": (0.68, 0.0, 0.225)}), grounding().operator_named(LIFT.operator).modes
+    wrong = with_modes(LIFT.operator, replace(mode, effect=(0.08, 0.0, 0.2)), learned=grounding())
     run = execute(WORLD, task, wrong, [LIFT], replanner=replanner)
     assert run.reached
-    assert [(step.happened, step.put_down) for step in run.steps] == [
-        ("held", True),
-        ("resting", True),
-        ("held", False),
-    ]
+    told = [(step.happened, step.put_down) for step in run.steps]
+    assert told == [("held", True), ("resting", True), ("held", False)]
     assert run.steps[0].positions["item-01"] == pytest.approx((0.6, 0.0, 0.025))
     assert compare_runs(run, rerun(WORLD, task, wrong, run)).course == "same bytes"
 

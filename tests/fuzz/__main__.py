@@ -4,6 +4,7 @@ The folder keeps the seeds, how many cases were tried, and each finding with a c
 The same command first tries those again, and then goes on with cases that it has not tried.
 """
 
+import itertools
 import re
 import shutil
 import signal
@@ -26,49 +27,42 @@ OFTEN = 50
 """After so many cases it says how far it is."""
 
 
-class Round:
-    """A round of fuzzing in a folder."""
+def kept(folder: Path) -> list[Path]:
+    """List the findings that still fail."""
+    return sorted((folder / "failures").glob("*/case.json"))
 
-    def __init__(self, folder: Path, run: Runner):
-        self.folder, self.run, self.count = folder, run, folder / "count"
-        self.tried = int(self.count.read_text()) if self.count.exists() else 0
 
-    def kept(self) -> list[Path]:
-        """List the findings that still fail."""
-        return sorted((self.folder / "failures").glob("*/case.json"))
+def try_known(folder: Path, run: Runner) -> None:
+    """Try again what was found before, and forget what is mended."""
+    for path in kept(folder):
+        if not judge(case := from_json(path.read_text()), run.run(case)):
+            shutil.rmtree(path.parent)
+            say(f"mended: {path.parent.name}")
 
-    def try_known(self) -> None:
-        """Try again what was found before, and forget what is mended."""
-        for path in self.kept():
-            if not judge(case := from_json(path.read_text()), self.run.run(case)):
-                shutil.rmtree(path.parent)
-                say(f"mended: {path.parent.name}")
 
-    def go_on(self, until: float) -> None:
-        """Try case after case."""
-        seeds = read_seeds(self.folder / "toy")
-        while time.monotonic() < until:
-            case = drawn_case(Random(self.tried), ENDING, seeds)
-            for finding in judge(case, self.run.run(case)):
-                self.keep(finding, case)
-            self.tried += 1
-            write_atomically(self.count, str(self.tried).encode())
-            if self.tried % OFTEN == 0:
-                self.tell()
+def go_on(folder: Path, run: Runner, until: float) -> None:
+    """Try case after case."""
+    seeds, count = read_seeds(folder / "toy"), folder / "count"
+    for number in itertools.count(int(count.read_text()) if count.exists() else 0):
+        if time.monotonic() >= until:
+            break
+        case = drawn_case(Random(number), ENDING, seeds)
+        for finding in judge(case, run.run(case)):
+            keep(folder, finding, case)
+        write_atomically(count, str(number + 1).encode())
+        if (number + 1) % OFTEN == 0:
+            say(f"{number + 1} inputs, {len(kept(folder))} distinct findings")
 
-    def keep(self, finding: Finding, case: Case) -> None:
-        """Write a finding down with the case that shows it, unless it is known."""
-        name = re.sub(r"[^\w.-]+", "-", finding.key).strip("-")[:120] or "nameless"
-        if (place := self.folder / "failures" / name).exists():
-            return
-        place.mkdir(parents=True)
-        write_atomically(place / "case.json", as_json(case).encode())
-        write_atomically(place / "said.txt", f"{finding.key}\n{finding.detail}".encode(errors="replace"))
-        say(f"found: {finding.key}")
 
-    def tell(self) -> None:
-        """Print how much was tried, and how much was found."""
-        say(f"{self.tried} inputs, {len(self.kept())} distinct findings")
+def keep(folder: Path, finding: Finding, case: Case) -> None:
+    """Write a finding down with the case that shows it, unless it is known."""
+    name = re.sub(r"[^\w.-]+", "-", finding.key).strip("-")[:120] or "nameless"
+    if (place := folder / "failures" / name).exists():
+        return
+    place.mkdir(parents=True)
+    write_atomically(place / "case.json", as_json(case).encode())
+    write_atomically(place / "said.txt", f"{finding.key}\n{finding.detail}".encode(errors="replace"))
+    say(f"found: {finding.key}")
 
 
 def main(
@@ -80,15 +74,12 @@ def main(
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     folder.mkdir(parents=True, exist_ok=True)
     build(folder / "toy")
-    with runner(folder / "toy") as run:
-        fuzzing = Round(folder, run)
-        with suppress(KeyboardInterrupt):
-            fuzzing.try_known()
-            fuzzing.go_on(time.monotonic() + 60 * minutes)
-    fuzzing.tell()
-    for path in fuzzing.kept():
+    with runner(folder / "toy") as run, suppress(KeyboardInterrupt):
+        try_known(folder, run)
+        go_on(folder, run, time.monotonic() + 60 * minutes)
+    for path in kept(folder):
         say(f"  {path.parent}")
-    return 3 if fuzzing.kept() else 0
+    return 3 if kept(folder) else 0
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import subprocess
 import sys
 import tempfile
 from dataclasses import replace
+from functools import partial
 
 from neurosym.planners import PLANNERS
 from neurosym.worlds.toy import ToyConfig, ToyWorld
@@ -21,52 +22,19 @@ class Moody(ToyWorld):
         return self.instead() if self.instead else super().interact(scene, action, target, put_down=put_down)
 
 
-def _leave():
-    sys.exit(7)
-
-
-def world():
-    """Make a good world."""
-    return Moody()
-
-
-def angry():
-    """Make a world that raises an error."""
-    return Moody({}.popitem)
-
-
-def gone():
-    """Make a world that ends the process."""
-    return Moody(_leave)
-
-
-def odd():
-    """Make a world that returns nothing."""
-    return Moody(lambda: None)
-
-
 def planner(name="own-good", solve=PLANNERS["counting"].solve):
-    """Make a good planner."""
     return replace(PLANNERS["counting"], name=name, solve=solve)
 
 
-def raising():
-    """Make one that raises an error."""
-    return planner("own-raising", lambda _: 1 // 0)
-
-
-def leaving():
-    """Make one that ends the process."""
-    return planner("own-leaving", lambda _: _leave())
-
-
-def rubbish():
-    """Make one that returns something else."""
-    return planner("own-rubbish", lambda _: "a plan")
+leave = partial(sys.exit, 7)
+world, angry, gone, odd = (partial(Moody, do) for do in (None, {}.popitem, leave, lambda: None))
+raising = partial(planner, "own-raising", lambda _: 1 // 0)
+leaving = partial(planner, "own-leaving", lambda _: leave())
+rubbish = partial(planner, "own-rubbish", lambda _: "a plan")
 
 
 def littering():
-    """Make one that leaves a process and a file."""
+    """Make a planner that leaves a process and a file."""
     tempfile.mkdtemp(prefix="litter")
     subprocess.Popen(["sleep", "100"], start_new_session=True)
     return planner()

@@ -1,20 +1,21 @@
 """Running cases, and judging how they end."""
 
-import json
 import os
 import re
 import shutil
-import subprocess
-import sys
 import tempfile
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
+from multiprocessing import get_context
 from pathlib import Path
+from unittest.mock import patch
 
 from fuzz import own
 from fuzz.cases import Case
 from fuzz.lines import FOLDER, asks_for_much
+from fuzz.server import begin, perform
 
 MOST_WORK = 60.0
 """When a command is interrupted [CPU s]; none of the cases need nearly as much."""
@@ -26,7 +27,6 @@ LONGEST_LINE = 3000
 """How long a line of a message may be [characters]."""
 FINE = {0, 2, 3, 130}
 """How commands end by themselves."""
-_ROOT = Path(__file__).parent.parent.parent
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,10 +51,10 @@ class Finding:
 
 
 class Runner:
-    """Runs cases on copies of a domain folder, by a server that forks."""
+    """Runs cases on copies of a domain folder, in a process that forks."""
 
-    def __init__(self, server: "subprocess.Popen[str]", seed: Path):
-        self._server, self._seed = server, seed
+    def __init__(self, pool: ProcessPoolExecutor, seed: Path):
+        self._pool, self._seed = pool, seed
 
     def run(self, case: Case) -> Ending:
         """Run a case in a folder of its own, which is removed."""
@@ -67,40 +67,21 @@ class Runner:
             shutil.copy(own.__file__, home / "own.py")
             shutil.copy(next((home / FOLDER / "plans").glob("*.plan")), home / "other.plan")
             case.prepare(home / FOLDER)
-            request = {
-                "arguments": case.arguments,
-                "place": place,
-                "work": MOST_WORK,
-                "patience": SHORT_PATIENCE if asks_for_much(case.arguments) else PATIENCE,
-            }
-            self._server.stdin.write(json.dumps(request) + "\n")
-            self._server.stdin.flush()
-            answer = json.loads(self._server.stdout.readline())
+            patience = SHORT_PATIENCE if asks_for_much(case.arguments) else PATIENCE
+            answer = self._pool.submit(perform, case.arguments, root, MOST_WORK, patience).result()
             files = tuple(_left_files(home, temporary))
             texts = {name: _read(root / name) for name in ("output", "errors")}
-            return Ending(**answer | {"left": tuple(answer["left"])}, files=files, **texts)
+            return Ending(**answer, files=files, **texts)
 
 
 @contextmanager
 def runner(seed: Path) -> Iterator[Runner]:
-    """Start a server, for cases that begin with this domain folder."""
+    """Start a process that performs cases, which begin with this domain folder."""
     threads = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
-    path = os.pathsep.join([str(_ROOT), str(_ROOT / "tests"), os.environ.get("PYTHONPATH", "")])
-    server = subprocess.Popen(
-        [sys.executable, "-m", "fuzz.server"],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        text=True,
-        env={**os.environ, **threads, "PYTHONPATH": path},
-        start_new_session=True,  # Ctrl-C is for us
-    )
-    with server:
-        assert server.stdout is not None
-        assert server.stdout.readline() == "ready\n", "the server starts"
-        try:
-            yield Runner(server, seed)
-        finally:
-            server.terminate()
+    with ProcessPoolExecutor(1, get_context("spawn"), initializer=begin) as pool:
+        with patch.dict(os.environ, threads):
+            pool.submit(int).result()
+        yield Runner(pool, seed)
 
 
 def _left_files(home: Path, temporary: Path) -> Iterator[str]:

@@ -6,7 +6,6 @@ its process, the next finds it as it was. Trainings are cut short: their code is
 
 import atexit
 import importlib
-import json
 import os
 import pkgutil
 import resource
@@ -15,6 +14,7 @@ import sys
 import threading
 import time
 import traceback
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from inspect import signature
@@ -32,18 +32,13 @@ LARGEST_FILE = 1024**3
 _SKIPPED = ("neurosym.__main__", "neurosym.worlds.gymnasium_env")
 
 
-def serve() -> None:
-    """Perform what is asked for on the standard input, a JSON object a line, and answer in the same way."""
-    answers = os.fdopen(os.dup(1), "w")
-    os.dup2(2, 1)  # libraries greet
+def begin() -> None:
+    """Get ready to perform cases."""
+    os.setsid()  # Ctrl-C is for who asks
+    os.environ["PYTHONPATH"] = os.pathsep.join(sys.path)
     _adopt_orphans()
     _import_all()
     _train_shortly()
-    answers.write("ready\n")
-    answers.flush()
-    for line in sys.stdin:
-        answers.write(json.dumps(perform(json.loads(line))) + "\n")
-        answers.flush()
 
 
 def _adopt_orphans() -> None:
@@ -91,21 +86,20 @@ def _set_defaults(kind: type, **defaults: object) -> None:
     made.__defaults__ = (*(known | defaults).values(),)
 
 
-def perform(request: dict[str, Any]) -> dict[str, Any]:
+def perform(arguments: Sequence[str], place: Path, work: float, patience: float) -> dict[str, Any]:
     """Run a command in a process of its own, and watch how it ends.
 
-    Args:
-        request: `arguments`, `place` (a folder with `home`, `tmp`, and files for what it prints), and when it
-            is interrupted: after `work` [CPU s] or `patience` [s].
+    The place is a folder with `home`, `tmp`, and files for what the command prints. It is interrupted after
+    so much work [CPU s], or patience [s].
     """
     process = os.fork()
     if process == 0:
-        _become(request)
-    return {**_watch(process, request), "left": _left_behind()}
+        _become(arguments, place)
+    return {**_watch(process, work, patience), "left": tuple(_left_behind())}
 
 
-def _watch(process: int, request: dict[str, Any]) -> dict[str, Any]:
-    start, stage, deadline = time.monotonic(), 0, request["patience"]
+def _watch(process: int, work: float, patience: float) -> dict[str, Any]:
+    start, stage, deadline = time.monotonic(), 0, patience
     while True:
         ended, status, usage = os.wait4(process, os.WNOHANG)
         if ended:
@@ -113,7 +107,7 @@ def _watch(process: int, request: dict[str, Any]) -> dict[str, Any]:
             code = code if code >= 0 else 128 - code
             return {"code": code, "stage": stage, "memory": usage.ru_maxrss * 1024}
         now = time.monotonic() - start
-        if stage < 2 and (now >= deadline or (stage == 0 and _cpu_seconds(process) >= request["work"])):
+        if stage < 2 and (now >= deadline or (stage == 0 and _cpu_seconds(process) >= work)):
             os.kill(process, (signal.SIGINT, signal.SIGKILL)[stage])
             stage, deadline = stage + 1, now + GRACE
         time.sleep(0.002)
@@ -150,12 +144,12 @@ def _children() -> list[int]:
     return [int(number) for number in listed.split()]
 
 
-def _become(request: dict[str, Any]) -> None:
+def _become(arguments: Sequence[str], place: Path) -> None:
     """Turn this process into the command; does not return."""
     code = 1
     try:
-        _settle(request)
-        code = _call(request["arguments"])
+        _settle(place)
+        code = _call(arguments)
     except BaseException:
         traceback.print_exc()
     finally:
@@ -167,9 +161,8 @@ def _become(request: dict[str, Any]) -> None:
         os._exit(code)
 
 
-def _settle(request: dict[str, Any]) -> None:
+def _settle(place: Path) -> None:
     os.setsid()
-    place = Path(request["place"])
     os.chdir(place / "home")
     os.environ["TMPDIR"] = str(place / "tmp")
     for descriptor, path in ((0, os.devnull), (1, place / "output"), (2, place / "errors")):
@@ -187,7 +180,7 @@ def _settle(request: dict[str, Any]) -> None:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-def _call(arguments: list[str]) -> int:
+def _call(arguments: Sequence[str]) -> int:
     from neurosym.commands import cli
 
     sys.argv = ["neurosym", *arguments]
@@ -202,7 +195,3 @@ def _call(arguments: list[str]) -> int:
         traceback.print_exc()
         return 130
     return 0
-
-
-if __name__ == "__main__":
-    serve()

@@ -117,10 +117,7 @@ def test_case_can_be_written_down_and_what_asks_for_much_is_known():
         ("exit code 2 without a word", {"code": 2}),
         ("a message with None: check", {"code": 2, "errors": "None: No space left on device\n"}),
         ("a control character: check", {"output": "\x1b[31mred"}),
-        (
-            "a warning of Python: world.py 9 RuntimeWarning",
-            {"errors": "/neurosym/world.py:9: RuntimeWarning: x"},
-        ),
+        ("a warning of Python: a.py 9 RuntimeWarning", {"errors": "/neurosym/a.py:9: RuntimeWarning: x"}),
         ("a long line: check", {"errors": "x" * 4000}),
         ("much memory: check", {"memory": 3 * 1024**3}),
         ("a process left: sleep", {"left": ("sleep",)}),

@@ -45,9 +45,8 @@ class Search:
         self.names = [item["name"] for item in scene["objects"]]
         self.most_states = most_states
         live = domain_operators(grounding)
-        self.moves = [
-            [_move(one) for one in live if one["category"] == item["category"]] for item in scene["objects"]
-        ]
+        fitting = ([one for one in live if one["category"] == item["category"]] for item in scene["objects"])
+        self.moves = [list(map(_move, operators)) for operators in fitting]
         sizes = [tuple(whole(size) for size in item["features"][:2]) for item in scene["objects"]]
         self.twice_apart = [
             [
@@ -57,9 +56,7 @@ class Search:
             for name, one in zip(self.names, sizes, strict=True)
         ]
         self.heights = [whole(item["position"][2]) for item in scene["objects"]]
-        self.start: State = tuple(
-            (whole(item["position"][0]), whole(item["position"][1])) for item in scene["objects"]
-        )
+        self.start: State = tuple(tuple(map(whole, item["position"][:2])) for item in scene["objects"])
         self.rooms = [[tuple(map(whole, axis)) for axis in top.room(name)] for name in self.names]
         goals = scene["goals"]
         self.goals = [tuple(map(whole, goals[name])) if name in goals else None for name in self.names]

@@ -87,7 +87,7 @@ class _Table:
         if result.status is PlanStatus.SOLVED:
             counts["plans"] += 1
             steps = [(step.operator, step.object) for step in result.steps]
-            wrong, top = replay(drawn.domain_json, drawn.scene_json, steps, drawn.own)
+            wrong, top = replay(drawn.domain_json, drawn.scene_json, steps)
             live = {one["name"] for one in domain_operators(drawn.domain_json)}
             if strange := {name.removeprefix(PUT_DOWN) for name, _ in steps} - live:
                 self.find(who, f"{strange} not in the domain")
@@ -131,7 +131,7 @@ class _Table:
         lengths = {who: fewest for who, _, _, _, fewest in self.claims if fewest is not None}
         if drawn.known is not None:
             lengths["the known plan"] = sum(not name.startswith(PUT_DOWN) for name, _ in drawn.known)
-        if len(drawn.problem.objects) <= FEW and drawn.own is None:
+        if len(drawn.problem.objects) <= FEW:
             counted = Search(drawn.domain_json, drawn.scene_json, most_states).solve()
             if counted.fewest is not None:
                 self.figures.counts["brute force"]["plans"] += 1

@@ -5,13 +5,12 @@ All lengths are whole numbers of micrometres, so that `brute_force` can count th
 
 import copy
 import itertools
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 import msgspec
 import numpy as np
-from independent.replay import Json, Point, Step, Tabletop, domain_operators, lifts, read_text, replay
+from independent.replay import Json, Step, Tabletop, domain_operators, lifts, read_text, replay
 from msgspec.structs import replace
 
 from neurosym.grounding import Grounding
@@ -41,7 +40,6 @@ class Drawn:
     domain_json: Json  # what `grounding.json` says
     scene_json: Json  # what the scene's file says
     known: tuple[Step, ...] | None  # a plan that is known to be valid, if one is
-    own: Mapping[Step, Point] | None = None  # by how much operators move objects, if printed for each
 
 
 def draw(number: int, kind: Kind | None = None, objects: int | None = None) -> Drawn:
@@ -174,14 +172,10 @@ def _overlap(one: SceneObject, other: SceneObject) -> bool:
 
 
 def walk(
-    kind: Kind,
-    problem: Problem,
-    domain_json: Json,
-    rng: np.random.Generator,
-    own: Mapping[Step, Point] | None = None,
+    kind: Kind, problem: Problem, domain_json: Json, rng: np.random.Generator
 ) -> tuple[tuple[Step, ...], dict[str, Vector]]:
     """Do possible steps at random, and take where objects end, roughly, for goals."""
-    top = Tabletop(domain_json, read_text(msgspec.json.encode(problem).decode()), own)
+    top = Tabletop(domain_json, read_text(msgspec.json.encode(problem).decode()))
     live = domain_operators(domain_json)
     steps: list[Step] = []
     wanted = int(rng.integers(1, 5 if kind == "tiny" else 2 + 3 * min(len(problem.objects), 8)))

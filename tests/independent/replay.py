@@ -5,7 +5,7 @@ Nothing of neurosym is imported here, and no numpy, so that both replays do not 
 
 import itertools
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from decimal import Decimal
 from fractions import Fraction
@@ -18,8 +18,6 @@ Step = tuple[str, str]
 PUT_DOWN = "put-down-"
 SLACK = Decimal("1e-9")
 """What binary numbers may make of a decimal one [m]."""
-ROUNDED = Decimal("1e-4")
-"""What whole numbers of 0.1 mm make of a step, and more [m]."""
 NEAR_TABLE = Decimal("0.1")
 """How far off the table an object may stand that is still planned for [m]."""
 LEAST_TRIALS = 5
@@ -109,7 +107,6 @@ class Tabletop:
 
     grounding: Json  # the raw `grounding.json`
     scene: Json  # the raw scene file of a problem
-    own: Mapping[Step, Point] | None = None  # by how much operators move objects [m]; see `random_sizes`
     places: dict[str, Point] = field(default_factory=dict)  # where the centre of each object is [m]
     held: Step | None = None  # the operator that lifted what is in the hand, and that object
     primitives: int = 0  # how many were done
@@ -132,8 +129,6 @@ class Tabletop:
             return f"{words} is not for objects like {name}"
         if promise_of(operator) is None:
             return f"{words} promises nothing"
-        if self.own is not None and step not in self.own:
-            return f"{words} has no step for {name}"
         if puts_down and self.held != (operator["name"], name):
             return f"{words} with {self.held} in the hand"
         if not puts_down and self.held is not None:
@@ -145,29 +140,22 @@ class Tabletop:
 
     def missed(self) -> str:
         """Say which goals are farther away than allowed; nothing if none is."""
-        allowed = self.scene["tolerance"] + self.slack
+        allowed = self.scene["tolerance"] + SLACK
         misses = {name: distance(self.places[name], goal) for name, goal in self.scene["goals"].items()}
         far = [f"{name} {1000 * miss:.3f} mm" for name, miss in misses.items() if miss > allowed]
         return f"missed: {', '.join(far)}" if far else ""
 
     def _after(self, operator: Json, name: str, puts_down: bool) -> Point:
         here, by = self.places[name], displacement(operator)
-        if self.own is not None:
-            by = self.own[(PUT_DOWN if puts_down else "") + operator["name"], name]
-        elif puts_down:  # back to where the lift began, and from there to where it came to rest
+        if puts_down:  # back to where the lift began, and from there to where it came to rest
             by = tuple(end - up for end, up in zip(settled(operator), by, strict=True))
         x, y, z = (old + new for old, new in zip(here, by, strict=True))
         return x, y, z
 
-    @property
-    def slack(self) -> Decimal:
-        """What numbers may make of places [m]: printed ones are whole, of 0.1 mm."""
-        return SLACK + (ROUNDED * self.primitives if self.own is not None else 0)
-
     def _wrong_place(self, name: str) -> str:
         spot = self.places[name]
         for axis, (low, high) in zip((0, 1), self.room(name), strict=True):
-            if not low - self.slack <= spot[axis] <= high + self.slack:
+            if not low - SLACK <= spot[axis] <= high + SLACK:
                 return f"{name} leaves the table"
         if self.held is not None:
             return ""
@@ -190,20 +178,17 @@ class Tabletop:
         sizes = [self.items[name]["features"] for name in (one, other)]
         here, there = self.places[one], self.places[other]
         return all(
-            2 * (abs(here[axis] - there[axis]) + self.slack) < sizes[0][axis] + sizes[1][axis]
-            for axis in (0, 1)
+            2 * (abs(here[axis] - there[axis]) + SLACK) < sizes[0][axis] + sizes[1][axis] for axis in (0, 1)
         )
 
 
-def replay(
-    grounding: Json, scene: Json, steps: Iterable[Step], own: Mapping[Step, Point] | None = None
-) -> tuple[str, Tabletop]:
+def replay(grounding: Json, scene: Json, steps: Iterable[Step]) -> tuple[str, Tabletop]:
     """Replay a plan.
 
     Returns:
         What is wrong with it, nothing if it is valid; and how everything is where the replay stopped.
     """
-    top = Tabletop(grounding, scene, own)
+    top = Tabletop(grounding, scene)
     for number, step in enumerate(steps, start=1):
         if wrong := top.do(step):
             return f"step {number}: {wrong}", top

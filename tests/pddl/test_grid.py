@@ -46,9 +46,8 @@ def any_grounding(rng: np.random.Generator) -> Grounding:
     primitives = tuple(Primitive(operator.primitive, (0.0,) * 12, 0.0) for operator in operators)
     wide = OperatorTable(table().categories, primitives, operators)
     cell = float(rng.uniform(0.002, 0.01))
-    return compile_domain(
-        wide, name="any", cell=cell, table_bounds=Table((0.0, 4.0), (-2.0, 2.0)), lift_height=0.2
-    )
+    bounds = Table((0.0, 4.0), (-2.0, 2.0))
+    return compile_domain(wide, name="any", cell=cell, table_bounds=bounds, lift_height=0.2)
 
 
 def any_plan(learned: Grounding, rng: np.random.Generator, length: int) -> list[PlanStep]:

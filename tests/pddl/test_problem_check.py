@@ -42,6 +42,9 @@ WRONG = [
     ("goals", {"item-01": [50, 50, 0]}, "The goal of item-01 has x = 50 m, out of reach; valid: x 0.4 to 1"),
     ("goals", {"item-01": [0.6, 0.0, 5]}, "The goal of item-01 has z = 5 m, out of reach"),
     ("goals", {"item-09": [0.6, 0.0, 0.03]}, "goal for item-09, which is not in the scene; objects: item-01"),
+    ("tolerance", 0, "tolerance"),
+    ("objects", [], "needs one object or more"),
+    ("colour", "red", "colour"),
 ]
 
 
@@ -60,7 +63,8 @@ def test_what_cannot_be_is_refused_before_anything_is_done(folder, capsys, key, 
     task = json.loads(scene.read_text())
     cube = {"features": [0.05, 0.05, 0.05, 0], "position": [0.6, 0.0, 0.025]}
     task["objects"][0] |= cube
-    changed = changes if key == "goals" else [task["objects"][0] | changes, *task["objects"][1:]]
+    one = key == "objects" and changes
+    changed = [task["objects"][0] | one, *task["objects"][1:]] if one else changes
     scene.write_text(json.dumps(task | {key: changed}))
     (folder / "empty.plan").write_text("")
     before = sorted(folder.rglob("*"))
@@ -68,7 +72,8 @@ def test_what_cannot_be_is_refused_before_anything_is_done(folder, capsys, key, 
         said = refusal(capsys, command, folder, "task-01", *more)
         assert message in said
         assert f"{scene} cannot be used" in said
-    if key == "objects":
+    assert message in refusal(capsys, "new-problem", folder, "--scene", scene, "--name", "mine")
+    if one:
         assert message in refusal(capsys, "show", folder, "--problem", "task-01")
     assert sorted(folder.rglob("*")) == before
 
@@ -114,9 +119,8 @@ def test_limits_are_read_without_making_the_world(tmp_path):
     assert read_limits(SHIPPED / "world.toml") == LIMITS
     file = tmp_path / "world.toml"
     file.write_text('world = "tabletop"\n[options]\nsize = [0.05, 0.1]\nshapes = { ring = 1.0, box = 0.0 }\n')
-    assert read_limits(file) == ObjectLimits(
-        ("s_x", "s_y", "d", "t"), ((0.05, 0.1), (0.05, 0.1), (0.02, 0.1)), (2.0,), 8
-    )
+    sizes = ((0.05, 0.1), (0.05, 0.1), (0.02, 0.1))
+    assert read_limits(file) == ObjectLimits(("s_x", "s_y", "d", "t"), sizes, (2.0,), 8)
     file.write_text('world = "nowhere:make"\n')
     assert read_limits(file) is None
 

@@ -24,16 +24,15 @@ from toy_relations import (
     tower_at_place,
 )
 
-from neurosym.errors import InvalidFile, InvalidPlan, InvalidValue, NeurosymError
+from neurosym.errors import InvalidFile, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
-from neurosym.pair_operators import Kept, PairEnd, pooled, share_with_any
+from neurosym.pair_operators import Kept, PairEnd, pooled
 from neurosym.pddl.compiler import problem_text
-from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.problem_check import check_relations, relations_meant
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.planner import Planner, PlanResult
 from neurosym.problems import Problem
-from neurosym.tasks.options import nearest_share, put_named, puts_for, puts_of
+from neurosym.tasks.options import put_named, puts_for, puts_of
 from neurosym.tasks.supports import PairSight, bearers_of, with_pairs
 from neurosym.tasks.task import MOST_BORNE, understand
 from neurosym.tasks.transition import PlanStep, chance, start, validate
@@ -63,13 +62,8 @@ def test_steps_are_those_one_would_take_whoever_plans(problem: Problem, steps: l
     assert not steps or plan(problem, grounding(), false).status is PlanStatus.FAILED
 
 
-def test_tower_at_a_place_is_built_there_after_the_place_was_cleared():
-    steps = solved(tower_at_place())
-    assert [step.object for step in steps] == ["item-04", "item-02", "item-03", "item-01"]
-    ends = validate(steps, tower_at_place(), grounding()).positions[-1]
-    assert ends[2] == pytest.approx([*ends[1][:2], 0.075])
-    assert ends[0] == pytest.approx([*ends[1][:2], 0.125])
-    step = PlanStep("carry-to-01-block", "item-03", "park-01")  # what rests on it goes along
+def test_what_rests_on_an_object_goes_along():
+    step = PlanStep("carry-to-01-block", "item-03", "park-01")
     before, after = validate([step], sorting(), grounding()).positions
     assert (after - before)[0] == pytest.approx((after - before)[2])
     assert (after - before)[3:] == pytest.approx(0)
@@ -104,9 +98,8 @@ def test_what_bears_what_is_seen_in_a_box_with_a_stack():
     cubes = ("cube", 0.7, 0.03, 0.01), ("cube", 0.7, 0.03, 0.06)
     objects = scene(("tray", 0.7, 0.0), *cubes, ("block", 0.5, 0.2))
     problem = with_pairs(Problem("box", objects, {}), grounding().relations)
-    found = {
-        name: (one.by, one.state.name) for name, one in bearers_of(problem, grounding().relations).items()
-    }
+    found = bearers_of(problem, grounding().relations).items()
+    found = {name: (one.by, one.state.name) for name, one in found}
     assert found == {"item-02": ("item-01", LIE), "item-03": ("item-02", REST)}
 
 
@@ -133,10 +126,13 @@ def test_of_two_that_look_as_if_each_bore_the_other_the_one_bears_that_goals_ask
 
 
 def test_kinds_of_pairs_and_relations_are_kept_in_files_and_old_ones_have_none(tmp_path: Path):
-    problem = with_pairs(tower(), grounding().relations)
+    path, problem = tmp_path / "new.json", seen(tower())
     assert problem.pairs["item-01 item-02"] == "01"
-    problem.save(tmp_path / "new.json")
-    assert Problem.load(tmp_path / "new.json") == problem
+    problem.save(path)
+    assert Problem.load(path) == problem
+    path.write_text(path.read_text().replace("0.95", "1.95", 1))
+    with pytest.raises(InvalidFile, match="<= 1"):
+        Problem.load(path)
     toy_places.swap().save(tmp_path / "old.json")
     assert not {"relations", "pairs", "touching"} & json.loads((tmp_path / "old.json").read_text()).keys()
     grounding().save(tmp_path / "grounding.json")
@@ -163,32 +159,15 @@ def test_replay_says_what_is_wrong(steps, said):
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
-    [
-        (f"({PUT_ON} item-01 moon)", "no other object 'moon'; valid: item-02, item-03"),
-        (f"({PUT_ON} item-01 item-01)", "no other object 'item-01'"),
-        (f"({PUT_ON} item-01)", "it names no other object; valid: item-02, item-03"),
-        ("(put-under item-01 item-02)", "no operator 'put-under'"),
-    ],
-)
-def test_lines_of_plans_that_cannot_be_are_refused_in_one_sentence(line, said, tmp_path: Path):
-    with pytest.raises(InvalidPlan, match=f"line 1: .*{said}"):
-        parse_plan(line, tmp_path, grounding(), sorting())
-
-
-@pytest.mark.parametrize(
     ("goals", "said"),
     [
         ([("item-01", "item-01", REST)], "item-01 cannot be rests-on-001 of itself; valid references: item"),
         ([("item-01", "item-02", REST), ("item-02", "item-01", REST)], "lead round in a circle"),
         (
             [("item-01", "item-02", REST), ("item-01", "item-03", REST)],
-            "-02 and rests-on-001 item-03; give it one",
+            "and rests-on-001 item-03; give it one",
         ),
-        (
-            [("item-01", "item-02", REST), ("item-01", "item-02", LIE)],
-            r"and \S+ item-02; give it one of",
-        ),
+        ([("item-01", "item-02", REST), ("item-01", "item-02", LIE)], r"and \S+ item-02; give it one of"),
         ([("item-01", "moon", REST)], "a relation of moon, which is not in the scene; objects: item-01"),
         ([("item-01", "item-02", "floats")], "no state of a pair 'floats'; valid: apart-000"),
         ([("item-01", "item-02", "apart-000")], "in which nothing is borne; valid states: rests-on-001"),
@@ -270,12 +249,6 @@ def test_what_is_only_faintly_foreseen_is_offered_where_a_goal_asks_for_it():
     assert plan(fainter, learned).status is PlanStatus.UNSOLVABLE
 
 
-@pytest.mark.parametrize(("foreseen", "share"), [(0.09, None), (0.1, 0.2), (0.3, 0.2), (0.9, 0.54)])
-def test_what_is_foreseen_of_any_pair_comes_true_less_often(foreseen: float, share: float | None):
-    assert share_with_any(foreseen) == (None if share is None else pytest.approx(share))
-    assert [nearest_share(one) for one in (0.0, 0.25, 0.5, 0.72, 1.0)] == [0.1, 0.3, 0.5, 0.7, 0.9]
-
-
 def test_what_is_hardly_foreseen_is_not_planned_with_and_has_hardly_a_chance():
     problem, learned = seen(tower(), on=0.01, lying=0.01), grounding()
     assert puts_for(problem, learned, "item-01", "item-03") == ()
@@ -330,12 +303,3 @@ def test_operator_pooled_adds_up_what_was_rehearsed_with_each_kind():
     assert end.offset == pytest.approx((0, 0, 0.99))
     assert end.spread == pytest.approx((0, 0, np.std([1.0] * 19 + [0.8])), abs=1e-4)
     assert (found.borne.trials, found.borne.kept) == (14, 11)
-
-
-def test_problems_keep_what_is_foreseen_and_refuse_what_is_no_share(tmp_path: Path):
-    path = tmp_path / "seen.json"
-    seen(tower()).save(path)
-    assert Problem.load(path) == seen(tower())
-    path.write_text(path.read_text().replace("0.95", "1.95", 1))
-    with pytest.raises(InvalidFile, match="<= 1"):
-        Problem.load(path)

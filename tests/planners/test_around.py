@@ -1,4 +1,4 @@
-"""Ways around each other: objects that stand in each other's way, and one that has to be put aside."""
+"""Ways around each other; whoever is in the way goes first; and counting, cheapest among the fewest."""
 
 import itertools
 import math
@@ -7,14 +7,18 @@ import numpy as np
 import pytest
 import tables
 from msgspec.structs import replace
+from tables import grounding, item
 
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.planners import PlanStatus, plan
+from neurosym.planners.action_counts import mend
 from neurosym.planners.joined_plans import plan_around
 from neurosym.planners.planner import TimeIsUp
 from neurosym.problems import Problem
-from neurosym.tasks.transition import primitives, validate
+from neurosym.tasks.options import cost
+from neurosym.tasks.transition import PlanStep, primitives, validate
+from tools.benchmarks.planning.tasks import fewest_steps
 
 STEP = 0.06
 
@@ -100,3 +104,32 @@ def test_search_is_led_by_what_is_left_to_go():
     found = plan_around(two, learned())
     assert len(found.steps) == 10
     assert found.work < 400, "ten times as much where nothing leads it"
+
+
+def test_long_row_is_moved_from_its_front():
+    """Eight blocks in a row, named from behind: only one of the 40320 orders is possible."""
+    row = tuple(item(f"item-{n}", 0.35 + 0.06 * n, 0.0) for n in range(8))
+    goals = {thing.name: (thing.position[0] + 0.0713, -0.0124, 0.025) for thing in row}
+    steps = [PlanStep("push-away-001-block", thing.name) for thing in row]
+    ordered, checked = mend(steps, Problem("row", row, goals), grounding())
+    assert checked.valid, checked.reason
+    assert list(ordered) == steps[::-1]
+
+
+def test_among_the_fewest_it_takes_the_cheapest():
+    learned = tables.grounding()
+    task = Problem("p", (tables.item("item-01", 0.45, 0.0),), {"item-01": (0.6, 0.13, 0.025)})
+    found = plan(task, learned, "counting")
+    names = [operator.name for operator in learned.live if operator.category == "00"]
+
+    def price(steps: tuple[str, ...]) -> int:
+        return sum(cost(learned.operator_named(step)) for step in steps)
+
+    def down(steps: tuple[str, ...]) -> tuple[PlanStep, ...]:
+        pairs = ([step, f"put-down-{step}"] if step.startswith("lift") else [step] for step in steps)
+        return tuple(PlanStep(one, "item-01") for pair in pairs for one in pair)
+
+    every = itertools.combinations_with_replacement(names, primitives(found.steps))
+    cheapest = min(price(steps) for steps in every if validate(down(steps), task, learned).valid)
+    assert price(tuple(step.operator for step in found.steps if not step.puts_down)) == cheapest
+    assert fewest_steps(task, learned) == primitives(found.steps)

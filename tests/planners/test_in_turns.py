@@ -9,7 +9,6 @@ from toy_places import NAME, grounding, scene, swap
 
 from neurosym.planners import PlanResult, PlanStatus, plan
 from neurosym.planners.action_counts import clearest_first
-from neurosym.planners.joined_plans import _Course as Way
 from neurosym.planners.joined_plans import plan_in_turns
 from neurosym.problems import Problem
 from neurosym.tasks.task import with_places
@@ -75,57 +74,31 @@ def test_turns_prove_nothing_where_places_fail_and_end_with_what_cannot_be_led_e
     assert result.status is not PlanStatus.UNSOLVABLE
 
 
-PATH = np.array([[[0.7, y, 0.025]] for y in (-0.16, -0.08, 0.0, 0.08, 0.16, 0.24)])  # (steps, 1, 3)
+def aside(problem: Problem) -> dict[str, tuple[float, ...]]:
+    """Where what stands in the way is carried at first, where only that is moved."""
+    learned, asked = grounding(), list[Problem]()
 
+    def fail(task: Problem) -> PlanResult:
+        asked.append(task)
+        return PlanResult(PlanStatus.FAILED, (), 0.0, "tired")
 
-def way(*cubes: tuple[float, float], **goals: tuple[float, float, float]) -> Way:
-    """A slab's way along y at x = 0.7 m, and cubes."""
-    things = scene(("slab", 0.7, -0.16), *(("cube", x, y) for x, y in cubes))
-    named = {name.replace("_", "-"): goal for name, goal in goals.items()}
-    now = Problem("way", things, {"item-01": (0.7, 0.24, 0.025), **named}, 0.02)
-    return Way(PATH, ["item-01"], now, grounding())
-
-
-def cleared(of: Way, *, everything: bool = False) -> dict[str, tuple[float, float, float]]:
-    names = of.now.object_names[1:]
-    goals = {name: goal for name, goal in of.now.goals.items() if name in names}
-    return of.cleared(names, goals, everything=everything)
-
-
-def clear_of(spot: tuple[float, ...], x: float, y: float, room: tuple[float, float]) -> bool:
-    return abs(spot[0] - x) >= room[0] - 1e-9 or abs(spot[1] - y) >= room[1] - 1e-9
-
-
-def test_who_stands_in_the_way_goes_to_its_goal_if_that_is_beside_it_and_others_stay():
-    goal = (0.5, 0.0, 0.025)
-    assert cleared(way((0.5, 0.0))) == cleared(way((0.5, 0.1), item_02=goal)) == {}
-    assert cleared(way((0.7, 0.0), item_02=goal)) == {"item-02": goal}
-    assert cleared(way((0.5, 0.1), item_02=goal), everything=True) == {"item-02": goal}
-    spots = cleared(way((0.7, 0.0), (0.7, 0.1)))
-    (x, y, _), other = spots["item-02"], spots["item-03"]
-    assert clear_of(other, x, y, (0.1, 0.1)), "two that wait do not wait in each other"
+    plan_in_turns(problem, learned, carry=fail, lead=lambda task: plan(task, learned, encoding="sas"))
+    return asked[1].goals
 
 
 def test_who_has_its_goal_in_the_way_waits_where_nobody_is_disturbed():
-    """Beside the way by the hand's room, off the other cube, its goal and the edge."""
-    of = way((0.7, 0.0), (0.5, 0.0), item_02=(0.7, 0.1, 0.025), item_03=(0.5, 0.2, 0.025))
-    spots = cleared(of)
-    assert list(spots) == ["item-02"]
-    spot = spots["item-02"]
-    assert all(clear_of(spot, 0.7, y, (0.07, 0.105)) for y in PATH[:, 0, 1])
-    assert clear_of(spot, 0.5, 0.0, (0.1, 0.1))
-    assert clear_of(spot, 0.5, 0.2, (0.1, 0.1))
-    assert grounding().table.contains(np.array(spot))
-
-
-def test_objects_wait_only_at_the_places_that_somebody_wrote():
-    of = way((0.7, 0.0))
-    for places, waits in (
-        ({"shelf": (0.5, 0.1)}, {"item-02": (0.5, 0.1, 0.025)}),
-        ({"in-it": (0.7, 0.1)}, {}),
-    ):
-        own = replace(of.now, places=places)
-        assert cleared(Way(PATH, ["item-01"], own, of.grounding)) == waits
+    """Beside the way by the hand's room, off the other cube, its goal and the edge, or at one's own place."""
+    problem = lead_past((0.7, 0.0, 0.7, 0.1), (0.5, 0.0, 0.5, 0.2))
+    ((name, spot),) = aside(problem).items()
+    cubes = [(0.5, 0.0), (0.5, 0.2)]
+    ways = [(0.7, y) for y in (-0.16, -0.08, 0.0, 0.08, 0.16, 0.24)]
+    for room, others in (((0.07, 0.105), ways), ((0.1, 0.1), cubes)):
+        away = np.abs(np.subtract(spot[:2], others))
+        assert np.all(np.any(away >= np.array(room) - 1e-9, axis=1))
+    assert (name, grounding().table.contains(np.array(spot))) == ("item-02", True)
+    own = {"shelf": (0.45, 0.1), "goal-item-02": (0.7, 0.1), "goal-item-03": (0.5, 0.2)}
+    assert aside(replace(problem, places=own)) == {"item-02": (0.45, 0.1, 0.025)}
+    assert aside(lead_past((0.7, 0.0, 0.45, 0.0))) == {"item-02": (0.45, 0.0, 0.025)}
 
 
 def crowd() -> Problem:

@@ -44,9 +44,8 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         sys.modules.pop(name, None)
 
 
-def test_the_documented_planner_plans_is_compared_and_replans_and_another_of_its_name_is_not_taken(
-    here: Path, folder: Path, capsys
-):
+def test_the_documented_planner_plans_and_replans_and_is_compared(here: Path, folder: Path, capsys):
+    """Another of its name is not taken."""
     asked = ("--planner", "mimir_planner:make")
     assert neurosym("plan", folder, "task-01", *asked) == 0
     record = json.loads((folder / "plans/task-01.mimir.json").read_text())
@@ -80,7 +79,7 @@ def test_a_planner_is_registered_in_one_call(here: Path, monkeypatch: pytest.Mon
     assert plan(problem(), grounding(), value).steps == result.steps
 
 
-OURS = "from neurosym import Planner, pddl_planner\ndef make(): return "
+OURS = "from neurosym import pddl_planner\ndef make(): return "
 
 
 @pytest.mark.parametrize(
@@ -93,16 +92,9 @@ OURS = "from neurosym import Planner, pddl_planner\ndef make(): return "
         ("def make(): raise ValueError('no licence.')", "cannot be made: ValueError: no licence"),
         ("def make(size): return size", "cannot be made: TypeError"),
         (f"{OURS}pddl_planner('bfs', '', print)", "has the name 'bfs', which one of ours has"),
-        (f"{OURS}pddl_planner('Mine', '', print)", "'Mine' is no name; valid: a lower-case letter"),
-        (
-            f"{OURS}Planner('mine', 'mine', lambda query: 1 / 0)",
-            "The planner mine raises an error in solve: ZeroDivisionError",
-        ),
     ],
 )
-def test_what_is_no_planner_is_refused_with_what_is_missing(
-    here: Path, folder: Path, code: str, message: str, capsys
-):
+def test_what_is_no_planner_is_refused_with_what_is_missing(here, folder, code: str, message: str, capsys):
     (here / "mine.py").write_text(code + "\n")
     sys.modules.pop("mine", None)
     for command in (
@@ -125,9 +117,7 @@ def test_a_domain_folder_must_not_bring_a_planner(folder: Path, monkeypatch: pyt
 
 @pytest.mark.parametrize("reason", ["tired\ud800", "tired\x1b[31m", "tired\n" * 1000])
 @pytest.mark.parametrize("encoded", [True, False])
-def test_what_a_planner_says_is_one_line_and_what_it_prints_and_where_it_goes_is_its_own(
-    reason: str, encoded: bool, capsys: pytest.CaptureFixture[str]
-):
+def test_what_a_planner_says_is_one_line_and_what_it_prints_is_its_own(reason: str, encoded: bool, capsys):
     def chatty(_: object) -> PlanResult:
         print("(fly item-01)")
         os.chdir("/")

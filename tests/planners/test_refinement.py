@@ -1,17 +1,24 @@
-"""From a problem to a believed plan: replayed, mended, explained, and as cheap as the reference's."""
+"""From a problem to a believed plan: replayed, mended, explained; and to unified-planning and back."""
 
 import itertools
 import sys
 
 import pytest
+import toy_domain
+import toy_places
 from msgspec.structs import replace
 from tables import grounding, item, problem, total_cost
+from validators import quiet
 
-from neurosym.errors import UnknownChoice
+import neurosym
+from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
+from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
 from neurosym.planners import PlanResult, PlanStatus, pddl_planner, plan
 from neurosym.planners.joined_plans import plan_singly
 from neurosym.planners.planner import Effort, PlannerAnswer
+from neurosym.planners.unified_planning import PddlVerdict, validate_pddl
 from neurosym.problems import Problem
 from neurosym.tasks.transition import PlanStep, validate
 
@@ -75,9 +82,10 @@ def test_objects_are_brought_beside_each_other_and_a_bystander():
     """The cheapest plans would end in each other, and no order of steps helps."""
     spot, both = (0.57, 0.06, 0.025), (item("item-01", 0.4, 0.0), item("item-02", 0.4, 0.12))
     task = Problem("p", both, {"item-01": spot, "item-02": spot})
-    found = plan(task, grounding())
-    assert found.status is PlanStatus.SOLVED, found.reason
-    assert validate(found.steps, task, grounding()).valid
+    for planner in ("fast-downward", "counting"):
+        found = plan(task, grounding(), planner)
+        assert found.status is PlanStatus.SOLVED, found.reason
+        assert validate(found.steps, task, grounding()).valid
     objects = (item("item-01", 0.4, 0.0), item("item-02", 0.585, 0.06))
     task = Problem("p", objects, {"item-01": (0.57, 0.06, 0.025)})
     found = plan(task, grounding())
@@ -125,3 +133,58 @@ def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(mon
     assert result.status is PlanStatus.SOLVED
     assert result.reason == "not the most reliable: they collide"
     assert validate(result.steps, problem(), grounding()).valid
+
+
+def solved(task):
+    """What an engine of unified-planning plans for a problem."""
+    with quiet():
+        from unified_planning.shortcuts import OneshotPlanner, get_environment
+
+        get_environment().credits_stream = None
+        with OneshotPlanner(name="fast-downward") as engine:
+            return engine.solve(task).plan
+
+
+CELLS = toy_domain.problem({"item-01": (0.68, 0.08, 0.025), "item-02": (0.8, 0.1, 0.025)})
+
+
+@pytest.mark.parametrize(
+    ("problem", "grounding", "encoding"),
+    [(toy_places.swap(), toy_places.grounding(), "strips"), (CELLS, toy_domain.grounding(), None)],
+)
+def test_engine_plans_and_its_plan_comes_true(problem, grounding, encoding):
+    plan = solved(neurosym.to_unified_planning(problem, grounding, encoding))
+    steps = neurosym.from_unified_planning(plan, problem, grounding)
+    assert validate(steps, problem, grounding).valid
+    assert execute(toy_domain.WORLD, problem, grounding, steps).reached
+
+
+def test_what_is_no_sequence_is_refused_in_a_sentence():
+    from unified_planning.plans import PartialOrderPlan
+
+    problem = toy_domain.problem({"item-01": (0.6, 0.16, 0.025)})
+    for found, said in (("a plan", "^A str is no"), (PartialOrderPlan({}), "^A PartialOrderPlan is no")):
+        with pytest.raises(InvalidValue, match=said):
+            neurosym.from_unified_planning(found, problem, toy_domain.grounding())
+
+
+TASK = toy_domain.problem({"item-01": (0.6, 0.08, 0.025)})
+DOMAIN = domain_text(toy_domain.grounding())
+PROBLEM = problem_text(TASK, toy_domain.grounding())
+
+
+def actions() -> list[tuple[str, ...]]:
+    steps = [PlanStep("push-left-001-cube", "item-01")]
+    lines = ground_plan(steps, TASK, toy_domain.grounding()).lines
+    return [tuple(line.strip("()").split()) for line in lines]
+
+
+def test_first_action_that_cannot_be_performed_is_named_or_the_goal_that_is_not_met():
+    push, along_x, along_y, reach = actions()
+    assert validate_pddl(DOMAIN, PROBLEM, actions()) == PddlVerdict(valid=True)
+    verdict = validate_pddl(DOMAIN, PROBLEM, [push, along_x, along_y, push, along_x, along_y, reach])
+    assert verdict == PddlVerdict(False, f"(at-y item-01 {along_y[3]}) does not hold", 6)
+    for part in (actions()[:-1], []):
+        assert validate_pddl(DOMAIN, PROBLEM, part).reason == "(done item-01) does not hold in the end"
+    with pytest.raises(InvalidValue, match="PDDL"):
+        validate_pddl("(define", PROBLEM, actions())

@@ -1,14 +1,19 @@
-"""Replay: exact displacements, and every way that a plan can be impossible."""
+"""Replay: exact displacements, every way that a plan can be impossible, and a task understood once."""
 
 import pytest
 from msgspec.structs import replace
+from places import ROOT
 from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, crossing, grounding, item, mode, problem
 
 from neurosym.errors import in_millimetres
 from neurosym.execution.record import Run, why_missed
+from neurosym.grounding import Grounding
+from neurosym.pddl import problem_text
+from neurosym.pddl.compiler import ground_plan
 from neurosym.planners import plan
 from neurosym.problems import Problem
-from neurosym.tasks.transition import PlanStep, validate
+from neurosym.tasks import promises, supports, task
+from neurosym.tasks.transition import PlanStep, expected_success, validate
 from neurosym.world import Table
 
 
@@ -88,7 +93,31 @@ def test_object_may_come_to_the_very_edge_and_touch_another_whatever_binary_numb
     )
     assert 0.14 + 0.04 > 0.18
     assert abs(0.04 - 0.09) < 0.05
-    for task in (edge, touching):
-        assert validate([step], task, small).valid
-        assert plan(task, small, "counting").steps == (step,)
-        assert plan(task, small, "bfs-operators").steps == (step,)
+    for one in (edge, touching):
+        assert validate([step], one, small).valid
+        assert plan(one, small, "counting").steps == (step,)
+        assert plan(one, small, "bfs-operators").steps == (step,)
+
+
+@pytest.mark.parametrize(("domain", "name"), [("places", "row-4-12"), ("towers", "tower-6-05")])
+def test_a_task_is_understood_once(domain: str, name: str, monkeypatch: pytest.MonkeyPatch):
+    folder, called = ROOT / "domains" / domain, list[str]()
+    problem = Problem.load(folder / "problems" / f"{name}.scene.json")
+    grounding = Grounding.load(folder / "grounding.json")
+    for module, function in ((task, "goal_spots"), (supports, "describe_pair"), (supports, "nearest_kinds")):
+        real = getattr(module, function)
+        monkeypatch.setattr(
+            module, function, lambda *given, of=function, do=real: called.append(of) or do(*given)
+        )
+    promises._promised.cache_clear()
+    promises._refined.cache_clear()
+    found = plan(problem, grounding)
+    assert problem_text(problem, grounding, plans=[ground_plan(found.steps, problem, grounding)])
+    assert validate(found.steps, problem, grounding).valid
+    assert 0 < expected_success(found.steps, problem, grounding) <= 1
+    objects, refined = len(problem.objects), promises._refined.cache_info()
+    assert called.count("goal_spots") == 1
+    assert called.count("describe_pair") in (0, objects * (objects - 1))
+    assert called.count("nearest_kinds") <= 1
+    every = sum(one.category == item.category for item in problem.objects for one in grounding.every_operator)
+    assert 0 < refined.hits + refined.misses <= every
