@@ -27,6 +27,15 @@ def test_notebook_is_valid_small_and_ran_in_order_without_errors():
     assert not re.search(r"(^|\s)/(tmp|home|root|opt|work|usr)/", said), "paths of a machine"
 
 
+def test_imports_are_folded_and_the_first_picture_is_of_symbols():
+    assert CELLS[0].metadata["jupyter"]["source_hidden"]
+    assert "hide-input" in CELLS[0].metadata["tags"]
+    pictures = (picture for cell in CELLS for out in cell.outputs for picture in out.get("data", {}).items())
+    kind, drawn = next(one for one in pictures if one[0].startswith("image/"))
+    assert kind == "image/svg+xml"
+    assert "Symbols of tabletop" in drawn
+
+
 def check_ran(cells) -> None:
     """Check that cells were run one after the other, without errors."""
     assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))

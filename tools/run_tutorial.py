@@ -20,7 +20,8 @@ def run(notebook: NotebookNode) -> NotebookNode:
 def tidied(notebook: NotebookNode) -> NotebookNode:
     """Keep one form of each picture, and nothing of the machine that it ran on."""
     for cell in notebook.cells:
-        cell.metadata = NotebookNode({"tags": tags} if (tags := cell.metadata.get("tags")) else {})
+        kept = {name: cell.metadata[name] for name in ("tags", "jupyter") if name in cell.metadata}
+        cell.metadata = NotebookNode(kept)  # what folds cells
         for output in cell.get("outputs", []):
             output.get("data", {}).pop("image/jpeg", None)
     notebook.metadata.language_info = NotebookNode(name="python")
