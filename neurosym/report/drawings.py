@@ -26,6 +26,8 @@ _YAW, _PITCH = math.radians(52), math.radians(30)  # of the camera that makes th
 _HOLE = 0.15  # thickness of walls, as a share of the lesser side
 _ROUND = np.linspace(0, 2 * math.pi, 24, endpoint=False)
 _SQUARE = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+_AXES = 3  # along which an effect can be drawn as an arrow
+_LEAST_WIDE = 1.2  # width of a drawing by its height, below which the greatest object fits in its width
 _FAINT = 0.25  # opacity of an effect that never comes about as promised
 _VEIL = 0.5  # how much of what an effect happens to is veiled, so that the arrow is seen
 _HEAD, _BELOW = 8.0, 26.0  # length of the head of an arrow, and room below an object's middle [pixels]
@@ -97,9 +99,11 @@ def map_drawing(
         )
     for symbol, mark in shown.marks.items():
         x, y = placed(np.array(mark))
+        wide = 8 * len(symbol) + 6  # of its own colour beneath, where its area is narrower than the code
         parts.append(
-            f'<text x="{x:.0f}" y="{y + 4:.0f}" text-anchor="middle" class="code" font-size="13" '
-            'font-weight="600" font-family="ui-monospace, monospace" '
+            f'<rect x="{x - wide / 2:.0f}" y="{y - 9:.0f}" width="{wide}" height="17" rx="3" '
+            f'fill="{palette.hex(symbol)}"/><text x="{x:.0f}" y="{y + 4:.0f}" text-anchor="middle" '
+            'class="code" font-size="13" font-weight="600" font-family="ui-monospace, monospace" '
             f'fill="{ink_on(palette(symbol))}">{escape(symbol)}</text>'
         )
     parts += _axes(shown.axes, left, top, right, bottom)
@@ -225,7 +229,8 @@ def object_drawing(
     told = ", ".join(f"{one.word} {one.told(value)}" for one, value in zip(features, values, strict=True))
     if is_body(features):
         longest = max(one.high for one in features[:3])
-        inner = _solid(values, colour, (width / 2, height * 0.62), width * 0.62 / longest)
+        scale = min(width, _LEAST_WIDE * height) * 0.62 / longest
+        inner = _solid(values, colour, (width / 2, height * 0.62), scale)
     else:
         shares = [
             (value - one.low) / (one.high - one.low) for one, value in zip(features, values, strict=True)
@@ -262,7 +267,7 @@ def effect_drawing(
         width: Of the drawing [pixels].
         height: Of the drawing [pixels].
     """
-    if len(effect) != 3:
+    if len(effect) != _AXES:
         inner = _bars([one * scale / width for one in effect], "currentColor", width, height, low=-1.0)
         return _small(f'<g opacity="{_opacity(chance):.2f}">{inner}</g>', told, width, height)
     depth, breadth, tall = (*item, 0.0, 0.0, 0.0)[:3]
@@ -292,6 +297,13 @@ def effect_room(effect: Sequence[float], item: Sequence[float], scale: float) ->
     depth, breadth, tall = (*item, 0.0, 0.0, 0.0)[:3]
     tops = np.array([(-depth / 2, breadth / 2, tall), np.add(effect, (0, 0, tall / 2))])
     return math.ceil(_BELOW + _HEAD - scale * float(seen(tops)[:, 1].min()))
+
+
+def scale_for(pairs: Iterable[tuple[Sequence[float], Sequence[float]]], height: int) -> float:
+    """Return the scale at which all effects, each with features of an object, fit in a height [pixels/m]."""
+    margin = effect_room((0.0,) * _AXES, (), 0.0)
+    rooms = (effect_room(effect, item, 1000.0) for effect, item in pairs if len(effect) == _AXES)
+    return 1000.0 * (height - margin) / (max(rooms, default=1000) - margin)
 
 
 def _opacity(chance: float) -> float:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from html import escape
+from itertools import product
 from typing import Any
 
 from neurosym.colours import CATEGORY_COLOURS, Palette
@@ -10,14 +11,14 @@ from neurosym.operators import Category, Symbol
 from neurosym.report.drawings import (
     SIZE,
     effect_drawing,
-    effect_room,
     ink_on,
     is_body,
     map_drawing,
     object_drawing,
+    scale_for,
 )
 from neurosym.report.symbol_map import Atlas
-from neurosym.report.symbols import AXES, displacement_in_words
+from neurosym.report.symbols import displacement_in_words
 
 _COLUMN, _ROW = SIZE[0] + 16, SIZE[1] + 34  # of maps and the legend [pixels]
 _ACROSS, _CELL = 8, (84, 92)  # actions beside one another, and the size of an arrow's cell [pixels]
@@ -101,12 +102,7 @@ def _band(
         one.symbol: tuple(next(iter(atlas.examples(one.symbol, 1)), ())) if is_body(atlas.features) else ()
         for one in shown
     }
-    room = max(
-        (effect_room(one, item, 1000.0) for one in found if len(one) == AXES for item in items.values()),
-        default=1000,
-    )
-    margin = effect_room((0.0,) * AXES, (), 0.0)
-    scale = 1000.0 * (_CELL[1] - margin) / (room - margin)
+    scale = scale_for(product(found, items.values()), _CELL[1])
     for column, symbol in enumerate(symbols):
         yield _text(_SIDE + (column + 0.5) * _CELL[0], top + 8, symbol, _MIDDLE)
     for row, category in enumerate(shown):

@@ -1,4 +1,4 @@
-"""The map of symbols on the panel `Table`: the codes over two sizes, and the object at hand as a dot.
+"""The map of symbols on a panel: the codes over two sizes, and the object at hand as a dot.
 
 The map is drawn anew when anything but these two sizes changes. The page's script draws the dot, and writes
 where it is dragged to into a field that is not seen.
@@ -10,14 +10,14 @@ from neurosym.contract import limits_of
 from neurosym.report.drawings import chip, map_drawing, object_drawing
 from neurosym.studio import words
 from neurosym.studio.desk import Topic
-from neurosym.studio.page import Panel, heard, set_content
+from neurosym.studio.page import Page, Panel, heard, set_content
 
 FIELD = "Place on the map"
 """The label of the field; the page's script knows it by that."""
 
 
 class MapField(Panel):
-    """The map, and objects of each category below it."""
+    """The map."""
 
     def build(self) -> None:
         """Make it; without limits of objects there is nothing that could be dragged, and no field."""
@@ -25,8 +25,10 @@ class MapField(Panel):
         self._map, self._dot = self.gui.add_html(""), self.gui.add_html("")
         if limits_of(self.session.library.world):
             heard(self.gui.add_text(FIELD, ""), self.take)
-        with self.gui.add_folder("Objects of each category", expand_by_default=False):
-            self._examples = self.gui.add_html("")
+
+    def show(self, is_visible: bool) -> None:
+        """Show the map, or hide it."""
+        self._map.visible = self._dot.visible = is_visible
 
     def refresh(self, topics: set[Topic]) -> None:
         """Show where the object that is chosen lies on the map."""
@@ -42,8 +44,6 @@ class MapField(Panel):
             drawn = map_drawing(shown, palette, title=told, name="map")
             said = words.paragraph(hint, words.DIM) if limits_of(self.session.library.world) else ""
             set_content(self._map, words.paragraph(told) + drawn + said)
-        if not self._examples.content:
-            set_content(self._examples, self._of_each())
         at = " ".join(f"{value:.5g}" for value in item.features)
         set_content(self._dot, f'<span hidden data-map-at="{at}"></span>')
 
@@ -58,15 +58,24 @@ class MapField(Panel):
             features = dict(enumerate(item.features)) | dict(zip(axes, values, strict=True))
             self.session.resize(item.name, tuple(features.values()))
 
-    def _of_each(self) -> str:
-        """Draw some objects of each category, the most frequent first."""
-        library, palette = self.session.library, self.page.view.palette
-        rows = []
-        for symbol in library.atlas.shares():
-            seen = (
-                object_drawing(one, library.atlas.features, palette(symbol), width=58, height=48)
-                for one in library.atlas.examples(symbol)
-            )
-            name = words.safe(words.plain_name(symbol, library.grounding))
-            rows.append((f"{chip(symbol, palette)}<br>{name}", "".join(seen)))
-        return words.table(("category", "some of its objects"), rows, label="objects of each category")
+
+def of_each(page: Page) -> str:
+    """Draw some objects of each category, the most frequent first, as HTML."""
+    library, palette = page.session.library, page.view.palette
+    rows = []
+    for symbol in library.atlas.shares():
+        seen = (
+            object_drawing(one, library.atlas.features, palette(symbol), width=58, height=48)
+            for one in library.atlas.examples(symbol)
+        )
+        name = words.safe(words.plain_name(symbol, library.grounding))
+        rows.append((f"{chip(symbol, palette)}<br>{name}", "".join(seen)))
+    return words.table(("category", "some of its objects"), rows, label="objects of each category")
+
+
+def category_of(page: Page) -> str:
+    """Say of which category the object that is chosen is, as HTML."""
+    if (item := page.item) is None:
+        return ""
+    name = words.plain_name(item.category, page.session.library.grounding)
+    return f"<p>{chip(item.category, page.view.palette)} {words.safe(f'{item.name}: {name}')}</p>"

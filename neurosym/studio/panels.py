@@ -15,7 +15,7 @@ from neurosym.problems import Problem, RelationGoal
 from neurosym.report.symbol_map import WORDS
 from neurosym.studio import words
 from neurosym.studio.desk import MOST_OBJECTS, Topic
-from neurosym.studio.map_field import MapField
+from neurosym.studio.map_field import MapField, category_of, of_each
 from neurosym.studio.page import Panel, heard, set_content, set_options, set_value
 from neurosym.studio.plan_words import Line, lanes, lines_of, pddl_page, plan_list
 from neurosym.studio.session import placed, planners_here
@@ -56,7 +56,7 @@ class AboutPanel(Panel):
         lines += [words.paragraph(why, words.BAD) for why in wrong]
         seen = words.scene_in_words(problem, session.library.grounding) if problem else "An empty table."
         scene = f"<span hidden data-scene>{words.safe(seen)}</span>"  # read by the page's script
-        set_content(self._said, f'<div class="head" data-said>{"".join(lines)}</div>{scene}')
+        set_content(self._said, f'<div class="head" data-said tabindex="0">{"".join(lines)}</div>{scene}')
 
 
 _PAPER = "as in the paper"  # the kind of tasks that is drawn unless one is named
@@ -92,6 +92,8 @@ class TablePanel(Panel):
         self._related = gui.add_html("")
         self._build_sizes()
         self.map = MapField(self.page)
+        with gui.add_folder("Objects of each category", expand_by_default=False):
+            gui.add_html("").content = of_each(self.page)
         self.button("Add another like it", self._add)
         self.button("Take it away", lambda: session.remove(self.page.selected))
         with gui.add_folder("Draw a task", expand_by_default=False):
@@ -151,11 +153,8 @@ class TablePanel(Panel):
                 set_value(slider, round(1000 * size))
             kind = next(iter(item.features[len(self._sizes) :]), 0.0)
             set_value(self._type, _TYPES.get(kind, f"{kind:g}"))
-            name = session.library.grounding.category(item.category).name
-            head = words.paragraph(name, head=item.category)
-            set_content(
-                self._bits, head + words.bits_row(item.category, session.library.margins(item.features))
-            )
+            bits = words.bits_row(item.category, session.library.margins(item.features))
+            set_content(self._bits, category_of(self.page) + bits)
 
     def _has_goal(self, problem: Problem) -> bool:
         return self.page.selected in (*problem.goals, *(name for name, *_ in problem.related))

@@ -25,7 +25,7 @@ from neurosym.tasks.transition import PlanStep, apply, chance, cost, promise_of,
 STEPS = ("push", "lift", "put-down", "put-at", "put", "put-loaded")
 """Actions of the page of which each is one step of a plan."""
 _PRE = "font-size:11px;line-height:1.35;white-space:pre-wrap;overflow-wrap:anywhere;margin:4px 0"
-_MARK = "background:rgba(255,190,60,.35);color:inherit"
+_MARK = "background:var(--lit);color:inherit"
 _LINE = "padding:3px 4px;font-size:13px;border-bottom:1px solid rgba(128,128,128,.3)"
 
 

@@ -3,16 +3,40 @@
 Bits are on the panel `Table`, beside the sizes that decide them; here is what they lead to.
 """
 
+from collections.abc import Sequence
+from typing import Any
+
 import msgspec
 import numpy as np
 
 from neurosym.checks import Float
+from neurosym.report.drawings import effect_drawing, is_body, scale_for
 from neurosym.report.symbols import Promise, displacement_in_words, promises_for
 from neurosym.studio import words
 from neurosym.studio.desk import Topic
-from neurosym.studio.page import Panel, heard, set_content, set_options
+from neurosym.studio.page import Page, Panel, heard, set_content, set_options
 from neurosym.studio.panels import NOTHING
 from neurosym.studio.view import over
+
+ARROWS = "an arrow is filled where the arm holds it at the end, and faint where that is unlikely."
+_CELL = (76, 84)  # of the drawing of an effect [pixels]
+
+
+def arrows(page: Page, promises: Sequence[Promise]) -> list[str]:
+    """Draw what operators do to the object that is chosen as arrows on it, all to one scale, as HTML."""
+    item, library = page.item, page.session.library
+    if item is None:
+        return []
+    body = item.features if is_body(library.atlas.features) else ()
+    look: dict[str, Any] = {"item": body, "colour": page.view.palette(item.category)}
+    look |= {"width": _CELL[0], "height": _CELL[1]}
+    look["scale"] = scale_for([(one.effect, body) for one in promises], _CELL[1])
+    return [
+        effect_drawing(
+            one.effect, told=words.promise_in_words(one), chance=one.chance, is_held=one.lifts, **look
+        )
+        for one in promises
+    ]
 
 
 class SymbolsPanel(Panel):
@@ -80,14 +104,18 @@ class SymbolsPanel(Panel):
         rows = [
             (
                 str(number),
+                drawn,
                 words.twofold(words.promise_in_words(one), one.operator.name),
-                f"<code>{words.safe(one.operator.primitive)}</code>",
-                words.bar(one.chance),
+                f"<code>{words.safe(one.operator.primitive)}</code><br>{words.bar(one.chance)}",
             )
-            for number, one in enumerate(self._promises, start=1)
+            for number, (one, drawn) in enumerate(
+                zip(self._promises, arrows(self.page, self._promises), strict=True), start=1
+            )
         ]
-        head = words.paragraph(f"What can be done to {self.page.selected}:")
-        return head + words.table(("", "operator", "bits", "chance"), rows, label="operators") if rows else ""
+        head = words.paragraph(f"What can be done to {self.page.selected}: {ARROWS}")
+        return (
+            head + words.table(("", "", "operator", "bits, chance"), rows, label="operators") if rows else ""
+        )
 
     def happened(self) -> str:
         """Return how the last motion turned out, or how often several did as promised, as HTML."""

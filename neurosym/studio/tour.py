@@ -5,12 +5,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from neurosym.report.symbols import promises_for
+from neurosym.contract import limits_of
+from neurosym.report.symbols import Promise, promises_for
 from neurosym.studio.desk import Topic
+from neurosym.studio.map_field import MapField, category_of, of_each
 from neurosym.studio.page import Page, Panel, set_content
+from neurosym.studio.panels import PlanPanel, RunPanel
 from neurosym.studio.session import planners_here
-from neurosym.studio.words import paragraph, safe
+from neurosym.studio.symbols_panel import ARROWS, SymbolsPanel, arrows
+from neurosym.studio.words import DIM, paragraph, safe, verb_of
 
+_WIDTH, _WIDER = 1, 0.005  # which size is the width, and in what steps it grows [m]
+_CELL = "display:inline-block;text-align:center;font-size:12px"
+_FEW = 8  # operators of which arrows are shown
 BEFORE, NEXT = "Card before", "Next card"
 
 
@@ -23,11 +30,35 @@ def _recall(page: Page, number: int) -> None:
     page.session.running.recall(row)
 
 
+def _widen(page: Page, _: int) -> None:
+    """Make the chosen object wider until a bit of it flips; from there on narrow again."""
+    item, limits = page.item, limits_of(page.session.library.world)
+    if item is None or limits is None:
+        page.session.say("Nothing here can be made wider.", is_bad=True)
+        return
+    low, high = limits.sizes[_WIDTH]
+    widths = np.append(np.arange(item.features[_WIDTH] + _WIDER, high, _WIDER), low)
+    wider = np.tile(item.features, (len(widths), 1))
+    wider[:, _WIDTH] = widths
+    codes = page.session.library.categorise(wider)
+    row = next((row for row, code in enumerate(codes) if code != item.category), len(codes) - 1)
+    page.session.resize(item.name, tuple(wider[row].tolist()))
+    change = f"turns from {item.category} to" if codes[row] != item.category else "stays"
+    page.session.say(f"{item.name} is {1000 * widths[row]:.0f} mm wide: it {change} {codes[row]}")
+
+
+def _known(page: Page) -> list[Promise]:
+    """List what can be done to the chosen object: the surest of each verb, then the next of each."""
+    promises = promises_for(page.item, page.session.library.grounding) if page.item else ()
+    verbs = [verb_of(one.operator.name) for one in promises]
+    ranks = [verbs[:number].count(verb) for number, verb in enumerate(verbs)]
+    return [promises[number] for number in np.argsort(ranks, kind="stable")]
+
+
 def _perform(page: Page, number: int) -> None:
-    """Try what the chosen object is surest to do as promised, and then what it is less sure to do."""
-    grounding = page.session.library.grounding
-    if promises := promises_for(page.item, grounding) if page.item else ():
-        primitive = grounding.primitive_of(promises[number % len(promises)].operator)
+    """Try what can be done to the chosen object, one after another."""
+    if promises := _known(page):
+        primitive = page.session.library.grounding.primitive_of(promises[number % len(promises)].operator)
         page.session.running.perform(page.selected, primitive.action)
     else:
         page.session.say("Nothing is known to be done to this object; choose another one.", is_bad=True)
@@ -55,16 +86,38 @@ def _stack(page: Page, number: int) -> None:
         session.say("Nothing on this table can be put on anything else; draw others.", is_bad=True)
 
 
+def _arrows(page: Page) -> str:
+    """Draw what can be done to the chosen object."""
+    promises = _known(page)[:_FEW]
+    told = (f"{verb_of(one.operator.name)} {one.chance:.0%}" for one in promises)
+    pairs = zip(arrows(page, promises), told, strict=True)
+    drawn = (f'<span style="{_CELL}">{arrow}<br>{safe(said)}</span>' for arrow, said in pairs)
+    return f"{category_of(page)}{''.join(drawn)}{paragraph(ARROWS.capitalize(), DIM)}"
+
+
+def _told(page: Page, *kinds: type[PlanPanel | RunPanel]) -> str:
+    """Return what some other panels say."""
+    return "".join(panel.text() for panel in page.panels if isinstance(panel, kinds))
+
+
+def _happened(page: Page) -> str:
+    """Return what was promised and what happened, in a run or in tries."""
+    tries = (panel.happened() for panel in page.panels if isinstance(panel, SymbolsPanel))
+    return _told(page, RunPanel) + "".join(tries)
+
+
 @dataclass(frozen=True, slots=True)
 class Card:
     """One card: what it says, and what its buttons do, given how often it was pressed before."""
 
     title: str
     sentences: tuple[str, ...]  # words in braces are numbers of the domain
-    button: str = ""
-    act: Callable[[Page, int], object] = lambda *_: None
+    button: str
+    act: Callable[[Page, int], object]
     more: str = ""  # what the other button is called, if there is one
     act_more: Callable[[Page, int], object] = lambda *_: None
+    has_map: bool = False  # whether the map of symbols stands below
+    picture: Callable[[Page], str] = lambda _: ""  # HTML below it
 
 
 CARDS = (
@@ -85,19 +138,24 @@ CARDS = (
         (
             "A program that learns from examples, a neural network, predicts effects. But all that it may "
             "use of an object is {object_bits} bits, each 0 or 1. So it must choose what matters.",
-            "On the panel Table is a map: which sizes have which bits. Drag its dot over a border, and see "
-            "a bit flip. The margin of a bit says how far it is from that.",
+            "The map shows which sizes have which bits. Drag its dot over a border, or press the button, and "
+            "see a bit flip. From then on the robot expects other effects.",
         ),
+        "Make it wider until a bit flips",
+        _widen,
+        has_map=True,
+        picture=category_of,
     ),
     Card(
         "a category",
         (
             "Objects with the same bits are one category. The robot expects the same of all of them.",
             "Nobody told it the {categories} categories that there are here. Their names were made "
-            "afterwards, from what was measured. Draw objects, and others, and compare the bits above them.",
+            "afterwards, from what was measured. Draw objects, and compare the bits above them.",
         ),
         "Draw two objects",
         lambda page, number: page.session.draw(2, number, None),
+        picture=of_each,
     ),
     Card(
         "a primitive and an operator",
@@ -106,11 +164,12 @@ CARDS = (
             "that stands for it, a primitive; there are {primitives}. What a primitive does to a category "
             "is an operator, of which it has {operators}. Each was tried many times, so it is known where "
             "an object ends, and how surely.",
-            "On the panel Symbols, arrows show where operators take the object that is chosen. See what is "
-            "surest, and press again to see what is less sure.",
+            "Each arrow is one operator of the object that is chosen, with its chance. See the first happen, "
+            "and press again for the next.",
         ),
         "Perform a primitive",
         _perform,
+        picture=_arrows,
     ),
     Card(
         "a plan",
@@ -118,24 +177,27 @@ CARDS = (
             "Operators are printed as PDDL, a language that planners read. A planner is a program that knows "
             "nothing of arms. It finds which operators lead to the goal, one after another.",
             "The see-through objects are goals: so shall things stand. Drag a goal by the ball above it if "
-            "you like, and press the button. The panel Plan shows each step.",
+            "you like, and press the button.",
         ),
         "Plan to the goal",
         lambda page, _: page.session.plan(planners_here()[0]),
+        picture=lambda page: _told(page, PlanPanel),
     ),
     Card(
         "what went otherwise",
         (
-            "Now the arm does it. The panel Run compares what each step promised with what happened.",
-            "Where they part so far that the goal would be missed, the robot plans anew. Take an object by "
-            "its body while it runs, and drag it elsewhere: before the next step it is there.",
-            "Some operators are unsure. Tried ten times, each time a few millimetres beside, such a one goes "
-            "as promised about as often as its chance says: dark dots did, pale diamonds did not.",
+            "Now the arm does it. What each step promised stands below, beside what happened.",
+            "A step can go otherwise, since an operator speaks of a whole category. This object is only one "
+            "of it, and stands a little elsewhere. Tried ten times, an unsure one goes as promised about "
+            "as often as its chance says: dark dots did, pale diamonds did not.",
+            "Where the goal would be missed, the robot plans anew. Take an object by its body while it runs, "
+            "and drag it elsewhere: before the next step it is there.",
         ),
         "Run the plan",
         lambda page, _: page.session.running.begin(),
         "Try what is unsure 10 times",
         _doubt,
+        picture=_happened,
     ),
 )
 RELATIONS = Card(
@@ -163,7 +225,11 @@ class TourPanel(Panel):
         turn.on_click(lambda event: self.turn(1 if event.target.value == NEXT else -1))
         self._do = self.button(self.cards[0].button, self.act, color="green")
         self._stop = self.button("Stop", self.stop, color="red", disabled=True)
-        self._text = self.gui.add_html("")
+        self._text, self._picture, self.map = (
+            self.gui.add_html(""),
+            self.gui.add_html(""),
+            MapField(self.page),
+        )
         self._more = self.button("More", lambda: self.act(is_more=True), color="green", visible=False)
 
     def turn(self, by: int) -> None:
@@ -201,10 +267,13 @@ class TourPanel(Panel):
 
     def refresh(self, topics: set[Topic]) -> None:
         """Show the card, and let nothing be begun while something runs."""
-        if topics & {"run", "status", "plan", "scene"}:
+        if topics & {"run", "step", "status", "plan", "scene"}:
             card, is_busy = self.cards[self.number], self.session.is_running or bool(self.session.planning)
-            self._do.label, self._more.label = card.button or "(on the panel Table)", card.more or "More"
+            self._do.label, self._more.label = card.button, card.more or "More"
             self._more.visible = bool(card.more)
-            self._do.disabled, self._more.disabled = is_busy or not card.button, is_busy
+            self._do.disabled, self._more.disabled = is_busy, is_busy
             self._stop.disabled = not is_busy
             set_content(self._text, self.text())
+            set_content(self._picture, card.picture(self.page))
+            self.map.show(card.has_map)
+            self.map.refresh(topics)

@@ -24,7 +24,7 @@ _FAR, _NEAR = "#3d8bfd", "#e08a00"
 """Of bars of bits: far from a flip, and near to one."""
 _TABLE = "border-collapse:collapse;font-size:12px;width:100%"
 _CELL = "padding:2px 5px;border-bottom:1px solid rgba(128,128,128,.3);vertical-align:top;text-align:left"
-_LIT = "background:rgba(255,190,60,.25);"
+_LIT = "background:var(--lit);"
 _PATH = re.compile(r"""(?<![\w/.<])(?:[A-Za-z]:)?[/\\](?:[^\s/\\'"<>:;,()]+[/\\])+""")
 _WIDEST = 10.0  # margin of a bit, before it is squashed, that fills the bar
 
@@ -191,7 +191,7 @@ def plan_summary(record: PlanRecord) -> str:
     colour, reason = GOOD if record.steps else BAD, record.reason or record.misses
     said = f"in {record.seconds:.2f} s."
     if record.steps:
-        said = f"{record.primitives} primitives {said}"
+        said = f"{counted(record.primitives, 'primitive')} {said}"
         if record.chance is not None:
             said += f" All steps go as promised with a chance of {record.chance:.0%}"
             if record.chance_replanned is not None:

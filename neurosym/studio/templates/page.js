@@ -81,9 +81,9 @@
   let drag = null; // the map whose dot is dragged, and where its dot is [pixels of the view box]
   const clamp = (value, one, other) => Math.min(Math.max(value, Math.min(one, other)), Math.max(one, other));
 
-  function drawDot() {
-    const map = first("svg.map"), at = first("[data-map-at]");
-    if (!map || !at) return;
+  function drawDot(map) {
+    const at = first("[data-map-at]");
+    if (!at) return;
     let dot = map.querySelector("circle.item");
     if (!dot) {
       dot = document.createElementNS("http://www.w3.org/2000/svg", "circle");
@@ -94,29 +94,37 @@
     const values = at.dataset.mapAt.split(" ").map(Number);
     JSON.parse(map.dataset.map).forEach((axis, number) => {
       const share = (values[axis.feature] - axis.low) / (axis.high - axis.low);
-      const spot = drag ? drag[number] : axis.from + share * (axis.to - axis.from);
+      const spot = drag ? drag.spots[number] : axis.from + share * (axis.to - axis.from);
       set(dot, number ? "cy" : "cx", clamp(spot, axis.from, axis.to).toFixed(1));
     });
   }
+  const drawDots = () => all("svg.map").forEach(drawDot);
 
-  function dragTo(event) {
-    const map = first("svg.map"), label = all("#root label[for]").find((one) => one.textContent === "Place on the map");
+  function dragTo(event, panel) { // a map that changes is drawn anew below the pointer, in the same panel
+    const map = panel.querySelector("svg.map");
+    const label = all("#root label[for]").find((one) => one.textContent === "Place on the map");
     if (!map || !label) return;
     const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(map.getScreenCTM().inverse());
     const axes = JSON.parse(map.dataset.map);
-    drag = axes.map((axis, number) => clamp(number ? point.y : point.x, axis.from, axis.to));
+    const spots = axes.map((axis, number) => clamp(number ? point.y : point.x, axis.from, axis.to));
+    drag = { panel, spots };
     const values = axes.map((axis, number) =>
-      axis.low + ((drag[number] - axis.from) / (axis.to - axis.from)) * (axis.high - axis.low));
+      axis.low + ((spots[number] - axis.from) / (axis.to - axis.from)) * (axis.high - axis.low));
     const field = rowOf(label).querySelector("input");
     Object.getOwnPropertyDescriptor(HTMLInputElement.prototype, "value").set.call(field, values.join(" "));
     field.dispatchEvent(new Event("input", { bubbles: true }));
-    drawDot();
+    drawDots();
   }
 
   document.addEventListener("pointerdown", (event) => {
-    if (event.target.closest("svg.map")) { event.preventDefault(); dragTo(event); }
+    const map = event.target.closest("svg.map"); // its panel: all around it up to where another map is
+    let panel = map?.parentElement;
+    if (!map) return;
+    while (panel.parentElement && all("svg.map", panel.parentElement).length === 1) panel = panel.parentElement;
+    event.preventDefault();
+    dragTo(event, panel);
   });
-  document.addEventListener("pointermove", (event) => drag && dragTo(event));
+  document.addEventListener("pointermove", (event) => drag && dragTo(event, drag.panel));
   for (const end of ["pointerup", "pointercancel"]) document.addEventListener(end, () => { drag = null; });
   document.addEventListener("input", (event) => checkBounds(event.target), true);
   document.addEventListener("focusout", (event) => setTimeout(() => checkBounds(event.target)));
@@ -128,7 +136,7 @@
   });
 
   let isDue = false;
-  const tidy = () => { isDue = false; nameFields(); announce(); drawDot(); open(); };
+  const tidy = () => { isDue = false; nameFields(); announce(); drawDots(); open(); };
   document.addEventListener("DOMContentLoaded", () => {
     new MutationObserver(() => {
       if (!isDue) { isDue = true; requestAnimationFrame(tidy); }

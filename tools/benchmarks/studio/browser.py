@@ -20,6 +20,8 @@ FLAGS = (
     *("--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"),
 )
 AXE = Path(os.environ.get("AXE_CORE", "node_modules/axe-core/axe.min.js"))  # finds barriers; from npm
+UNDRAWN = """for (const kind of ["Arrays", "Elements", "ArraysInstanced", "ElementsInstanced"])
+  WebGL2RenderingContext.prototype[`draw${kind}`] = () => {};"""  # drawn in software, a frame takes seconds
 SLOW = 180.0  # seconds for what a browser that draws in software does
 
 
@@ -48,13 +50,18 @@ def serious_violations(tab: Any) -> list[str]:
 
 
 class Window:
-    """A window of a browser that looks at a page."""
+    """A window of a browser that looks at a page; where the table does not matter, it is not drawn."""
 
-    def __init__(self, browser: Any, studio: Studio, width: int = 1400, height: int = 900):
+    def __init__(
+        self, browser: Any, studio: Studio, width: int = 1400, height: int = 900, *, is_drawn: bool = True
+    ):
         self.asked: list[str] = []
         self.errors: list[str] = []
         known = set(studio.pages)
         self.context = browser.new_context(viewport={"width": width, "height": height})
+        self.context.set_default_timeout(1000 * SLOW)  # a click waits for two frames, drawn in software
+        if not is_drawn:
+            self.context.add_init_script(UNDRAWN)
         self.tab = self.context.new_page()
         self.tab.on("request", lambda request: self.asked.append(request.url))
         self.tab.on("pageerror", lambda error: self.errors.append(str(error)))
