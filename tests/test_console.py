@@ -29,9 +29,8 @@ def columns(monkeypatch):
 def test_table_breaks_no_name_and_no_vector(columns, capsys, wide, lines):
     columns(wide)
     headings = ["", "step", "promised [mm]", "happened [mm]", "as promised"]
-    console.show_table(
-        "run", headings, [["1", OPERATOR, "resting (11, 13, 0)", "resting (-62, 10, 0)", "no"]]
-    )
+    row = ["1", OPERATOR, "resting (11, 13, 0)", "resting (-62, 10, 0)", "no"]
+    console.show_table("run", headings, [row])
     title, *said = capsys.readouterr().out.splitlines()
     assert title == "run"
     assert max(map(len, said)) <= wide

@@ -58,14 +58,10 @@ def test_groundings_of_the_first_format_keep_every_operator():
 
 def test_duplicates_among_hundreds_of_operators_are_found_as_by_comparing_all_pairs():
     rng = np.random.default_rng(0)
-    many = tuple(
-        push(f"push-{n}", (*map(float, rng.uniform(-0.06, 0.06, 2)), 0.0), near=int(rng.integers(10, 21)))
-        for n in range(500)
-    )
-    learned = grounding()
-    learned = msgspec.structs.replace(
-        learned, format=NEWER, operators=msgspec.structs.replace(learned.operators, operators=many)
-    )
+    draws = ((*rng.uniform(-0.06, 0.06, 2).tolist(), int(rng.integers(10, 21))) for _ in range(500))
+    many = tuple(push(f"push-{n}", (x, y, 0.0), near=near) for n, (x, y, near) in enumerate(draws))
+    table = msgspec.structs.replace(grounding().operators, operators=many)
+    learned = msgspec.structs.replace(grounding(), format=NEWER, operators=table)
     kept = [one["name"] for one in domain_operators(read_text(msgspec.json.encode(learned).decode()))]
     assert 100 < len(kept) < 490
     assert {operator.name for operator in learned.live} == {*kept}

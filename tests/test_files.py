@@ -17,17 +17,7 @@ import pytest
 
 from neurosym import files
 from neurosym.errors import CannotWrite, InvalidFile
-from neurosym.files import (
-    Drafts,
-    at_once,
-    check_writable,
-    digests,
-    make_folder,
-    remove,
-    remove_leftovers,
-    write_atomically,
-    write_new,
-)
+from neurosym.files import Drafts, check_writable, remove, write_atomically, write_new
 
 
 def test_a_file_that_cannot_be_put_in_place_leaves_nothing_behind(tmp_path: Path):
@@ -92,7 +82,7 @@ def test_file_that_can_be_written_is_found_so_and_nothing_is_made(tmp_path: Path
 
 def test_file_in_the_way_of_a_folder_is_noticed(tmp_path: Path):
     (tmp_path / "plans").touch()
-    for act, name in ((check_writable, "plans/below"), (make_folder, "plans")):
+    for act, name in ((check_writable, "plans/below"), (files.make_folder, "plans")):
         with pytest.raises(InvalidFile, match=r"/plans cannot be used: it is a file, and should be a folder"):
             act(tmp_path / name)
     with pytest.raises(InvalidFile, match="it is a folder, and should be a file"):
@@ -128,14 +118,14 @@ def test_drafts_change_nothing_until_they_are_put_in_place(tmp_path: Path):
         write_atomically(new, "4")
         remove(gone)
         assert (old.read_text(), new.exists(), gone.exists()) == ("1", False, True)
-        promised = digests({path.name: path for path in places})
-        with at_once():  # as a checkpoint is
+        promised = files.digests({path.name: path for path in places})
+        with files.at_once():  # as a checkpoint is
             write_atomically(tmp_path / "checkpoint", "5")
         assert (tmp_path / "checkpoint").read_text() == "5"
         drafts.put_in_place()
     written = {path.name: path.read_text() for path in tmp_path.iterdir()}
     assert written == {"old": "3", "new": "4", "checkpoint": "5"}
-    assert promised == digests({path.name: path for path in places})
+    assert promised == files.digests({path.name: path for path in places})
     assert promised.keys() == {"old", "new"}
 
 
@@ -228,11 +218,11 @@ def test_leftovers_of_a_killed_process_are_removed_and_those_of_a_live_one_kept(
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "written\n"
-        remove_leftovers(tmp_path)
+        files.remove_leftovers(tmp_path)
         assert len(names(tmp_path)) == 3
         process.send_signal(signal.SIGKILL)
     assert len(names(tmp_path)) == 3
-    remove_leftovers(tmp_path)
+    files.remove_leftovers(tmp_path)
     assert names(tmp_path) == [".neurosym-pipe", ".neurosymmetry"]
 
 

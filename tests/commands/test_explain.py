@@ -15,14 +15,8 @@ from neurosym.errors import InvalidFile
 from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, OperatorTable
+from neurosym.report import symbols
 from neurosym.report.explanation import explain, explain_folder
-from neurosym.report.symbols import (
-    Explanation,
-    SymbolExplanation,
-    action_in_words,
-    displacement_in_words,
-    type_shares,
-)
 from neurosym.stages.folder import DomainFolder
 from neurosym.world import three_waypoints
 
@@ -58,8 +52,8 @@ def test_what_a_shipped_domain_learned_fits_one_screen(name, capsys):
 
 
 def test_more_symbols_than_a_screen_has_room_for_are_counted(capsys):
-    many = tuple(SymbolExplanation(f"{n:05b}", "lift (50% of objects)", "") for n in range(32))
-    show_screen(Explanation(("", "Thus."), many, many))
+    many = tuple(symbols.SymbolExplanation(f"{n:05b}", "lift (50% of objects)", "") for n in range(32))
+    show_screen(symbols.Explanation(("", "Thus."), many, many))
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) <= 38
     assert [line for line in lines if line.startswith("and ")] == ["and 24 more", "and 16 more"]
@@ -150,7 +144,7 @@ def said_of(explanation, symbol):
 
 def test_action_is_told_from_start_to_rise():
     action = (-0.042, 0.044, -0.025, 0.84, -0.028, 0.0, 0.0, 0.1, 0.0, 0.0, 0.01, 0.2)
-    assert action_in_words(action, GRIPPER) == (
+    assert symbols.action_in_words(action, GRIPPER) == (
         "The hand starts open, 42 mm back and 44 mm left of the object's centre, 25 mm below it.",
         "It closes there and moves to 28 mm back of the centre, level with it.",
         "Still closed, it moves to 10 mm above the centre.",
@@ -164,14 +158,16 @@ def test_words_give_the_numbers_back():
     axes = {"forward": 0, "back": 0, "left": 1, "right": 1, "up": 2, "down": 2}
     for vector in rng.uniform(-0.3, 0.3, size=(100, 3)):
         read = np.zeros(3)
-        for millimetres, word in re.findall(r"(\d+) mm (\w+)", displacement_in_words(vector.tolist())):
+        for millimetres, word in re.findall(
+            r"(\d+) mm (\w+)", symbols.displacement_in_words(vector.tolist())
+        ):
             read[axes[word]] = signs[word] * int(millimetres)
         np.testing.assert_array_equal(read, np.round(1000 * vector))
 
 
 @pytest.mark.parametrize("types", [[0, 0, 1, 2], [1, 1], [0], [2, 0, 0, 0, 2], [0, 1, 1]])
 def test_shares_of_types_follow_from_mean_and_spread(types):
-    shares = type_shares(float(np.mean(types)), float(np.std(types)))
+    shares = symbols.type_shares(float(np.mean(types)), float(np.std(types)))
     np.testing.assert_allclose(shares, [types.count(kind) / len(types) for kind in range(3)], atol=1e-12)
 
 

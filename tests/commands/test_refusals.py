@@ -82,11 +82,8 @@ def test_plan_file_that_is_none_is_refused_and_one_without_a_step_is_noted(kept,
 
 def test_folder_that_is_no_domain_folder_is_called_so(tmp_path, capsys):
     (tmp_path / "empty.plan").write_text("")
-    for arguments in (
-        ["plan", tmp_path, "task-01"],
-        ["execute", tmp_path, "task-01", tmp_path / "empty.plan"],
-    ):
-        said = refusal(capsys, *arguments)
+    for command, *plan in (("plan",), ("execute", tmp_path / "empty.plan")):
+        said = refusal(capsys, command, tmp_path, "task-01", *plan)
         assert f"{tmp_path} is no domain folder, it has neither world.toml nor grounding.json" in said
 
 

@@ -173,10 +173,5 @@ def test_record_of_an_earlier_version_can_be_run_again(folder, record, capsys):
     change(record, 1e-3)
     assert neurosym("replay", folder, record) == 3
     said = capsys.readouterr().out
-    for words in (
-        "something else happened",
-        "first in positions of step 1, ",
-        ", by 1 mm",
-        "the record does not name its machine",
-    ):
+    for words in ("something else", "in positions of step 1, ", ", by 1 mm", "does not name its machine"):
         assert words in said

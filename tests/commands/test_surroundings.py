@@ -33,8 +33,8 @@ FULL = "standard output cannot be written: No space left on device.\n"
         ('"$@" >/dev/full', 2, FULL),
     ],
 )
-def test_streams_that_are_closed_or_full_bring_no_traceback(kept: Path, line: str, code: int, said: str):
-    ended = shell(line, "check", kept)
+def test_streams_that_are_closed_or_full_bring_no_traceback(line: str, code: int, said: str):
+    ended = shell(line, "planners")
     assert (ended.returncode, ended.stderr) == (code, said)
 
 
@@ -42,7 +42,7 @@ def test_streams_that_are_closed_or_full_bring_no_traceback(kept: Path, line: st
 def test_names_that_the_encoding_does_not_have_are_escaped_or_refused(folder: Path, environment):
     there = folder.with_name("h\u00f6lle")
     folder.rename(there)
-    ended = shell('"$@"', "check", there, **environment)
+    ended = shell('"$@"', "plan", there, "task-01", "--planner", "counting", **environment)
     assert "Traceback" not in ended.stderr
     assert (ended.returncode, r"h\xf6lle" in ended.stdout) in {(0, True), (2, False)}
 

@@ -12,7 +12,7 @@ from toy_domain import LEFT, WORLD, grounding, problem
 
 from neurosym.errors import UnknownChoice
 from neurosym.execution.executor import execute
-from neurosym.execution.performance import ROUNDING, STOP, Answer, Moment, compare_runs, rerun
+from neurosym.execution.performance import STOP, Answer, Moment, compare_runs, rerun
 from neurosym.execution.record import Nudge, Replanning, Run, as_it_shows, this_machine
 from neurosym.grounding import Grounding
 from neurosym.operators import Primitive
@@ -147,7 +147,7 @@ def again(recorded: Run) -> Run:
     return rerun(WORLD, problem(AWAY), grounding(), recorded)
 
 
-@pytest.mark.parametrize("by", [3e-9, 0.9 * ROUNDING])
+@pytest.mark.parametrize("by", [3e-9, 9e-7])
 def test_last_digits_of_another_processor_are_no_other_course(run, by):
     recorded = shifted(run, 1, by)
     performed = again(recorded)
@@ -158,7 +158,7 @@ def test_last_digits_of_another_processor_are_no_other_course(run, by):
     assert found.where == "positions of step 1, push-left-001-cube item-01"
 
 
-@pytest.mark.parametrize("by", [1.1 * ROUNDING, 1e-3])
+@pytest.mark.parametrize("by", [1.1e-6, 1e-3])
 @pytest.mark.parametrize("number", [1, 2])
 def test_another_course_is_told_by_the_step_that_it_begins_with(run, by, number):
     recorded = shifted(shifted(run, 1, 3e-9), number, by)
@@ -167,9 +167,7 @@ def test_another_course_is_told_by_the_step_that_it_begins_with(run, by, number)
     assert found.where == f"positions of step {number}, push-left-001-cube item-01"
 
 
-@pytest.mark.parametrize(
-    ("field", "value"), [("happened", "toppled"), ("touched", ("item-02",)), ("deviation", None)]
-)
+@pytest.mark.parametrize(("field", "value"), [("happened", "lost"), ("touched", ("a",)), ("deviation", None)])
 def test_what_is_no_length_must_be_the_same(run, field, value):
     other = replace(run.steps[1], **{field: value})
     recorded = replace(run, steps=(run.steps[0], other))

@@ -10,17 +10,9 @@ from tables import with_modes
 from toy_domain import WORLD, grounding, problem
 
 from neurosym.errors import InvalidValue
+from neurosym.execution import performance
 from neurosym.execution.executor import execute
-from neurosym.execution.performance import (
-    LEAST,
-    MOST,
-    Moment,
-    compare_runs,
-    drawn_nudge,
-    failure,
-    nudged,
-    rerun,
-)
+from neurosym.execution.performance import compare_runs, rerun
 from neurosym.execution.record import Nudge
 from neurosym.execution.replanning import PATIENCE, usual_replans, usual_work
 from neurosym.grounding import Grounding
@@ -85,8 +77,8 @@ def test_nudged_object_still_comes_to_its_goal(seed: int):
 
 def nudge_of(seed: int, table: Table = WORLD.table) -> Nudge | None:
     """What is drawn before the steps of a plan of three, which is at most one nudge."""
-    moments = [Moment(number, problem(AWAY).scene(), ()) for number in (1, 2, 3, 4)]
-    wanted = [drawn_nudge(seed, 3, moment, problem(AWAY), table) for moment in moments]
+    moments = [performance.Moment(number, problem(AWAY).scene(), ()) for number in (1, 2, 3, 4)]
+    wanted = [performance.drawn_nudge(seed, 3, moment, problem(AWAY), table) for moment in moments]
     (nudge,) = [one for one in wanted if one] or [None]
     return nudge
 
@@ -100,9 +92,9 @@ def test_nudges_come_from_their_seed_and_keep_objects_on_the_table():
     for nudge in seen:
         assert nudge is not None
         x, y, z = nudge.by
-        assert LEAST <= (x**2 + y**2) ** 0.5 <= MOST
+        assert performance.LEAST <= (x**2 + y**2) ** 0.5 <= performance.MOST
         assert z == 0.0
-        moved = nudged(task.scene(), nudge, task).positions
+        moved = performance.nudged(task.scene(), nudge, task).positions
         assert all(map(WORLD.table.contains, moved))
     assert nudge_of(0, Table((0.0, 0.1), (0.0, 0.1))) is None
 
@@ -173,7 +165,7 @@ def test_run_without_progress_ends_with_its_budget_which_is_named(planner, repla
     run = execute(Stubborn(1000), problem(AWAY), grounding(), [PUSH_LEFT], replanner=planner, **options)
     assert (run.reached, run.ended, len(run.replannings)) == (False, ended, count)
     assert said in run.reason
-    assert failure(run) == f"new plans {why}"
+    assert performance.failure(run) == f"new plans {why}"
     assert usual_replans([LIFT, PUT_DOWN, PUSH_LEFT]) == PATIENCE + 4
 
 

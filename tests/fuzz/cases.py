@@ -132,15 +132,10 @@ RELATED = (
 
 def build(folder: Path) -> None:
     """Learn the domain folder, unless it is there."""
-    if not folder.is_dir():
-        unfinished = folder.with_name(f"{folder.name}-unfinished")
-        perform(unfinished, LEARN, *MORE, *RELATED)
-        unfinished.rename(folder)
-
-
-def perform(folder: Path, *lines: str) -> None:
-    """Have commands done in a folder."""
-    for line in lines:
-        arguments = [part.format(folder) for part in line.split()]
-        command = [sys.executable, "-m", "neurosym", *arguments]
-        subprocess.run(command, check=True, capture_output=True)
+    if folder.is_dir():
+        return
+    unfinished = folder.with_name(f"{folder.name}-unfinished")
+    for line in (LEARN, *MORE, *RELATED):
+        arguments = [part.format(unfinished) for part in line.split()]
+        subprocess.run([sys.executable, "-m", "neurosym", *arguments], check=True, capture_output=True)
+    unfinished.rename(folder)

@@ -54,7 +54,7 @@ class Runner:
     """Runs cases on copies of a domain folder, in a process that forks."""
 
     def __init__(self, pool: ProcessPoolExecutor, seed: Path):
-        self._pool, self._seed = pool, seed
+        self._pool, self.seed = pool, seed
 
     def run(self, case: Case) -> Ending:
         """Run a case in a folder of its own, which is removed."""
@@ -63,7 +63,7 @@ class Runner:
             home, temporary = root / "home", root / "tmp"
             home.mkdir()
             temporary.mkdir()
-            shutil.copytree(self._seed, home / FOLDER)
+            shutil.copytree(self.seed, home / FOLDER)
             shutil.copy(own.__file__, home / "own.py")
             shutil.copy(next((home / FOLDER / "plans").glob("*.plan")), home / "other.plan")
             case.prepare(home / FOLDER)

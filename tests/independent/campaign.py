@@ -101,7 +101,7 @@ class _Table:
     def judge_printed(self, steps: tuple[PlanStep, ...], who: str) -> None:
         """Judge a plan as ground actions of the page: it is one of the problem that is printed for it."""
         drawn, counts = self.drawn, self.figures.counts[who]
-        if not steps or self.is_off_table():
+        if not steps or not all(map(drawn.grounding.table.contains, drawn.problem.scene().positions)):
             return
         cell = printed_cell(understand(drawn.problem, drawn.grounding))
         is_exact = drawn.is_whole and cell == drawn.grounding.cell
@@ -116,14 +116,6 @@ class _Table:
         counts["printed"] += 1
         if wrong := judge(domain, problem_text(drawn.problem, drawn.grounding, plans=[plan]), plan.text):
             self.find(who, f"valid, but not in the problem that is printed for it: {wrong}")
-
-    def is_off_table(self) -> bool:
-        table = self.drawn.grounding.table
-        return any(
-            not low <= item.position[axis] <= high
-            for item in self.drawn.problem.objects
-            for axis, (low, high) in enumerate((table.x, table.y))
-        )
 
     def compare(self, most_states: int) -> None:
         """Compare what planners say with each other's plans, the known one, and brute force."""

@@ -165,10 +165,8 @@ def _items(
 
 
 def _overlap(one: SceneObject, other: SceneObject) -> bool:
-    return all(
-        2 * abs(one.position[axis] - other.position[axis]) < one.features[axis] + other.features[axis]
-        for axis in (0, 1)
-    )
+    away, sizes = np.subtract(one.position, other.position)[:2], np.add(one.features, other.features)[:2]
+    return bool(np.all(2 * np.abs(away) < sizes))
 
 
 def walk(

@@ -17,44 +17,43 @@ from neurosym.pddl.compiler import problem_text
 from neurosym.planners import plan
 from neurosym.planners.pddl_search import _aim
 from neurosym.problems import Problem
+from neurosym.tasks import transition
 from neurosym.tasks.options import cost
-from neurosym.tasks.transition import (
-    PlanStep,
-    chance_inside,
-    expected_success,
-    expected_within,
-    spread_of,
-    validate,
-)
+from neurosym.tasks.transition import PlanStep, expected_success, validate
 
 
 @pytest.mark.parametrize("tolerance", [0.005, 0.01, 0.02, 0.05])
 def test_centred_plane_error_ends_inside_as_rayleigh_says(tolerance: float):
-    found = chance_inside(np.zeros(3), np.array([0.01, 0.01, 0.0]), tolerance)
+    found = transition.chance_inside(np.zeros(3), np.array([0.01, 0.01, 0.0]), tolerance)
     assert found == pytest.approx(1 - math.exp(-(tolerance**2) / 2e-4), abs=0.02)
 
 
 def test_error_in_space_ends_inside_more_rarely():
-    flat, solid = (chance_inside(np.zeros(3), np.array([0.01, 0.01, z]), 0.015) for z in (0.0, 0.01))
+    flat, solid = (
+        transition.chance_inside(np.zeros(3), np.array([0.01, 0.01, z]), 0.015) for z in (0.0, 0.01)
+    )
     maxwell = math.erf(1.5 / math.sqrt(2)) - math.sqrt(2 / math.pi) * 1.5 * math.exp(-(1.5**2) / 2)
     assert flat > solid == pytest.approx(maxwell, abs=0.03)
 
 
 def test_the_edge_is_less_likely_than_the_middle_and_certain_without_spread():
     spread = np.array([0.01, 0.01, 0.0])
-    chances = [chance_inside(np.array([miss, 0.0, 0.0]), spread, 0.05) for miss in (0.0, 0.03, 0.049, 0.09)]
+    chances = [
+        transition.chance_inside(np.array([miss, 0.0, 0.0]), spread, 0.05)
+        for miss in (0.0, 0.03, 0.049, 0.09)
+    ]
     assert chances == sorted(chances, reverse=True)
     assert chances[0] > 0.99
     assert chances[2] == pytest.approx(0.5, abs=0.06)
     assert chances[3] < 0.01
-    assert chance_inside(np.array([0.049, 0.0, 0.0]), np.zeros(3), 0.05) == 1.0
+    assert transition.chance_inside(np.array([0.049, 0.0, 0.0]), np.zeros(3), 0.05) == 1.0
 
 
 def test_spreads_add_up_like_variances_and_a_put_down_belongs_to_its_lift():
     task, learned = tables.problem(), tables.grounding()
-    one = spread_of([PULL], task, learned)
-    assert spread_of([PULL] * 4, task, learned) == pytest.approx(2 * one)
-    in_the_air, down = (spread_of(steps, task, learned) for steps in ([LIFT], [LIFT, tables.DOWN]))
+    one = transition.spread_of([PULL], task, learned)
+    assert transition.spread_of([PULL] * 4, task, learned) == pytest.approx(2 * one)
+    in_the_air, down = (transition.spread_of(steps, task, learned) for steps in ([LIFT], [LIFT, tables.DOWN]))
     assert in_the_air[2] > 0 == down[2]
 
 
@@ -65,19 +64,19 @@ def test_a_second_try_is_as_likely_and_what_is_lost_stays_lost():
     task = Problem("p", (item,), {"item-01": (0.45 + 0.0713, -0.0124, 0.025)})
     kept = expected_success([tables.PUSH], task, learned)
     again = 1 - kept - lost.share
-    assert expected_within([tables.PUSH], task, learned, 3) == pytest.approx(kept * (1 + again + again**2))
-    assert expected_within([], task, learned, 0) == 1.0
-    assert expected_within([tables.PUSH] * 2, task, learned, 1) == 0.0
+    assert transition.expected_within([tables.PUSH], task, learned, 3) == pytest.approx(
+        kept * (1 + again + again**2)
+    )
+    assert transition.expected_within([], task, learned, 0) == 1.0
+    assert transition.expected_within([tables.PUSH] * 2, task, learned, 1) == 0.0
 
 
 def test_plan_comes_true_if_all_steps_are_kept_and_all_objects_end_inside():
     learned = tables.grounding()
     item = tables.item("item-01", 0.45, 0.0)
     at, edge = ((0.45 + 0.0713 + off, -0.0124, 0.025) for off in (0.0, 0.0475))
-    centred, outer = (
-        expected_success([tables.PUSH], Problem("p", (item,), {"item-01": goal}), learned)
-        for goal in (at, edge)
-    )
+    both = (Problem("p", (item,), {"item-01": goal}) for goal in (at, edge))
+    centred, outer = (expected_success([PUSH], one, learned) for one in both)
     assert centred == pytest.approx(19 / 22, abs=1e-6)
     assert outer < 0.8 * centred
 

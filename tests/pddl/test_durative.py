@@ -18,14 +18,8 @@ from neurosym.contract import way_seconds
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
 from neurosym.grounding import Grounding
-from neurosym.pddl.durative import (
-    CARRY,
-    MOST_OVER,
-    carry_seconds,
-    durative_domain_text,
-    durative_problem_text,
-    read_durative,
-)
+from neurosym.pddl import durative
+from neurosym.pddl.durative import CARRY, carry_seconds, durative_domain_text, durative_problem_text
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.problems import Problem
 from neurosym.sim.simulation import Simulation
@@ -57,7 +51,7 @@ def test_unified_planning_reads_types_and_durations_and_accepts_a_plan():
         assert action.duration.lower.constant_value() == Fraction(61, 10)
         kinds = [str(parameter.type).split(" - ")[0] for parameter in action.parameters]
         assert action.name == CARRY
-        assert kinds == ["thing", *["place"] * (2 + MOST_OVER)]
+        assert kinds == ["thing", *["place"] * (2 + durative.MOST_OVER)]
         assert {str(one.type).split(" - ")[0] for one in task.all_objects} == {"cube", "place"}
         with PlanValidator(name="up_time_triggered_validator") as validator:
             assert validator.validate(task, reader.parse_plan_string(task, PLAN))
@@ -73,10 +67,10 @@ def test_plan_of_a_temporal_planner_is_read_and_comes_true_and_no_other_action_i
     assert steps[1] == PlanStep(NAME, "item-01", "goal-item-01")
     run = execute(toy_domain.WORLD, problem, learned, steps)
     assert (run.reached, run.replans) == (True, 0)
-    carry = (CARRY, "item-02", "start-item-02", "park-01", *["nowhere"] * MOST_OVER)
+    carry = (CARRY, "item-02", "start-item-02", "park-01", *["nowhere"] * durative.MOST_OVER)
     for words in (("push", *carry[1:]), carry[:-1], (CARRY, "item-09", *carry[2:])):
         with pytest.raises(InvalidValue, match="nothing carries that"):
-            list(read_durative([words], understand(problem, learned)))
+            list(durative.read_durative([words], understand(problem, learned)))
 
 
 STACK = replace(toy_relations.sorting(), relations=())

@@ -18,14 +18,14 @@ from independent.ground_pddl import judge
 from msgspec.structs import replace
 from places import GOLDEN, ROOT
 from plan_forms import edited
-from tables import BOUNDS, grounding, item, mode, problem, total_cost
+from tables import BOUNDS, grounding, item, mode, problem, table, total_cost
 from toy_relations import LIE, PUT_IN, PUT_ON, REST, relearned
 from validators import unified_planning_accepts
 
 from neurosym.choices import DOMAINS
 from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding
-from neurosym.operators import Operator
+from neurosym.operators import Operator, OperatorTable
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import excerpt_for, ground_plan, parameters_of, with_every_outcome
 from neurosym.pddl.durative import durative_domain_text, durative_problem_text
@@ -216,8 +216,13 @@ HELD = mode((0.012, -0.021, 0.203), kind="held", count=14, near=14, resting=(0.0
 SLIPPED = mode((0.06, 0.0, 0.0), count=6, near=5)
 
 
+def lifting(*modes) -> OperatorTable:
+    changed = (replace(op, modes=modes) if op.name == "lift-010-block" else op for op in table().operators)
+    return replace(table(), operators=tuple(changed))
+
+
 def of(*modes) -> list[Operator]:
-    expanded = with_every_outcome(tables.with_modes("lift-010-block", *modes).operators)
+    expanded = with_every_outcome(lifting(*modes))
     return [op for op in expanded.operators if (op.category, op.primitive) == ("00", "010")]
 
 
@@ -237,7 +242,7 @@ def test_each_outcome_at_rest_or_held_is_an_operator_that_is_named_for_it_unless
 
 
 def test_compiled_domain_has_every_outcome_as_an_action_and_as_a_choice():
-    changed = tables.with_modes("lift-010-block", *shares(HELD, SLIPPED)).operators
+    changed = lifting(*shares(HELD, SLIPPED))
     learned = compile_domain(changed, name="tabletop", table_bounds=BOUNDS, lift_height=0.2)
     problem = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.56, 0.0, 0.025)}, tolerance=0.01)
     text = problem_text(problem, learned)

@@ -247,6 +247,12 @@ def test_operator_that_does_nothing_to_an_object_is_not_for_it():
     assert facts(strange, learned, *asked) == facts(strange, tables.grounding(0.02), *asked)
 
 
+def test_no_step_ends_in_the_margins_that_are_asked_for():
+    sums = facts(tables.problem(), tables.grounding(0.02), "x-sum", margin=2)
+    ends = {atom[3] for atom in sums if atom[1] != "dx0"}
+    assert (min(ends), max(ends)) == ("x02", "x28")
+
+
 def test_of_motions_that_do_the_same_the_cheapest_is_told_and_those_of_plans_beside_it():
     """They differ by a cell of the domain, and not by one of the problem."""
     learned, (block, *_) = tables.grounding(0.005), tables.problem().objects

@@ -27,24 +27,15 @@ def far_away(primitives: int, objects: int = 1) -> tuple[Problem, Branching]:
     return Problem("far", items, {"item-0": (0.8, -0.2, 0.02)}), Branching(effects, effects, held, names)
 
 
-@pytest.mark.parametrize(
-    ("primitives", "objects", "depth"), [(8, 16, 3), (64, 2, 3), (64, 4, 2), (256, 4, 2), (256, 8, 1)]
-)
-def test_search_goes_as_deep_as_the_number_of_sequences_allows_and_says_so(primitives, objects, depth):
-    task, table = far_away(primitives, objects)
-    assert bfs_module.depth_within(table) == depth
-    if (primitives, objects) == (64, 4):
-        found = plan_bfs(task, table, BOUNDS)
-        said = "2 primitives do not suffice; 3 would be 16,777,216 sequences, more than 2,500,000"
-        assert (found.status, found.reason, found.depth) == (PlanStatus.NOT_FOUND, said, 2)
-
-
 def test_depth_time_and_number_of_sequences_end_a_search_with_its_reason(monkeypatch: pytest.MonkeyPatch):
     table = branching_of(problem(), grounding())
     found = plan_bfs(problem(), table, BOUNDS)
     assert (found.status, found.reason) == (PlanStatus.NOT_FOUND, "3 primitives do not suffice")
     assert plan_bfs(problem(), table, BOUNDS, depth=4).status is PlanStatus.SOLVED
     assert plan_bfs(problem(), table, BOUNDS, time_limit=0.0).status is PlanStatus.TIMEOUT
+    found = plan_bfs(*far_away(64, 4), BOUNDS)
+    said = "2 primitives do not suffice; 3 would be 16,777,216 sequences, more than 2,500,000"
+    assert (found.status, found.reason, found.depth) == (PlanStatus.NOT_FOUND, said, 2)
     monkeypatch.setattr(bfs_module, "MOST_SEQUENCES", 3)
     task, short = far_away(5)  # one primitive ahead is looked at, however many there are
     found = plan_bfs(task, short, BOUNDS)

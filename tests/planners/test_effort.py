@@ -16,7 +16,6 @@ from neurosym.pddl.sas import sas_text
 from neurosym.planners import PLANNERS, PlanResult, PlanStatus, plan
 from neurosym.planners.action_counts import plan_counting
 from neurosym.planners.external import PORTFOLIO, Search, plan_fast_downward
-from neurosym.planners.planner import Effort
 from neurosym.problems import Problem
 from neurosym.tasks.transition import PlanStep
 
@@ -77,8 +76,6 @@ def test_a_ceiling_that_cuts_in_is_a_time_out_that_says_so(planner: str, request
 
 
 def test_work_is_counted_and_its_end_is_a_result_that_says_so():
-    effort = Effort(work=3)
-    assert [effort.spend() for _ in range(4)] == [True, True, False, False]
     found = plan_counting(tables.problem(), tables.grounding(), work=1)
     assert found.status is PlanStatus.NOT_FOUND
     assert "none within 1 candidates, joins and orders looked at" in found.reason

@@ -3,6 +3,7 @@
 A planner here is a Python script of a few lines, called as the real ones are.
 """
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -18,15 +19,8 @@ from tables import grounding, item, problem
 from neurosym.errors import CannotStart, InvalidValue
 from neurosym.pddl import domain_text, problem_text
 from neurosym.planners import PLANNERS, PlannerAnswer, PlanResult, PlanStatus, external, pddl_planner, plan
-from neurosym.planners.external import (
-    Finished,
-    Program,
-    Search,
-    plan_fast_downward,
-    plan_program,
-    run_limited,
-    scratch_folder,
-)
+from neurosym.planners.external import Program, plan_fast_downward, plan_program
+from neurosym.planners.keeper import MARK, end_marked, marked
 from neurosym.planners.planner import PlannerMissing
 from neurosym.planners.registry import PROGRAMS
 from neurosym.problems import Problem
@@ -38,7 +32,9 @@ TASK = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.571, -0.012, 0.
 @pytest.fixture
 def scratch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty folder that stands in for the system's folder of temporary files."""
-    with scratch_folder():  # so that the keeper, which lives on, is there before and does not name the folder
+    with (
+        external.scratch_folder()
+    ):  # so that the keeper, which lives on, is there before and does not name the folder
         pass
     folder = tmp_path / "scratch"
     folder.mkdir()
@@ -121,6 +117,15 @@ def test_a_script_can_be_a_planner_and_children_that_outlive_it_are_ended(scratc
     assert list(scratch.iterdir()) == []
 
 
+def test_what_is_killed_has_ended():
+    code = "import os, time; [os.fork() for _ in range(3)]; print(flush=True); time.sleep(60)"
+    started = {"env": {**os.environ, MARK: "slow"}, "stdout": subprocess.PIPE}
+    with subprocess.Popen([sys.executable, "-c", code], **started) as process:
+        assert process.stdout.read(8) == b"\n" * 8
+        end_marked("slow")
+        assert marked("slow") == []
+
+
 def test_planner_that_is_not_here_and_encodings_it_does_not_take_are_refused_with_what_to_do():
     nowhere = Program("Nobody", "no_such_package", ("true",))
     nobody = pddl_planner("nobody", "", partial(plan_program, program=nowhere), missing=nowhere.missing)
@@ -162,11 +167,11 @@ def test_a_planner_gets_no_more_than_its_caller_may_have(tmp_path: Path):
     code = f"""if True:
         import resource, sys
         from pathlib import Path
-        from neurosym.planners.external import run_limited
+        from neurosym.planners.external import external.run_limited
         for kind, most in ((resource.RLIMIT_AS, 3 << 30), (resource.RLIMIT_FSIZE, 1 << 20)):
             resource.setrlimit(kind, (most, most))
         asked = "import resource as r; print(r.getrlimit(r.RLIMIT_AS), r.getrlimit(r.RLIMIT_FSIZE))"
-        print(run_limited([sys.executable, "-c", asked], Path({str(tmp_path)!r}), 10.0).last_words)
+        print(external.run_limited([sys.executable, "-c", asked], Path({str(tmp_path)!r}), 10.0).last_words)
     """
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert ended.stdout.strip() == f"{(3 << 30, 3 << 30)} {(1 << 20, 1 << 20)}"
@@ -178,7 +183,7 @@ def test_where_nothing_can_be_started_a_sentence_says_so(tmp_path: Path, monkeyp
 
     monkeypatch.setattr(subprocess, "Popen", refused)
     with pytest.raises(CannotStart, match="No planner can be started: Resource temporarily"):
-        run_limited(["true"], tmp_path, 1.0)
+        external.run_limited(["true"], tmp_path, 1.0)
 
 
 def write(folder: Path, *, cell: float = 0.03, solvable: bool = True, domain: str = "") -> tuple[Path, Path]:
@@ -207,9 +212,9 @@ def test_plans_proofs_and_failures_are_results_and_nothing_is_left_behind(tmp_pa
 def test_unknown_search_fails_and_one_that_is_not_complete_proves_nothing(tmp_path: Path, monkeypatch):
     """Exit code 12: the search ended without a plan, and there may be one."""
     files = write(tmp_path, solvable=False)
-    unknown = plan_fast_downward(*files, time_limit=20.0, searches=[Search("no-such-search()")])
+    unknown = plan_fast_downward(*files, time_limit=20.0, searches=[external.Search("no-such-search()")])
     assert unknown.status is PlanStatus.FAILED
     assert "code 33" in unknown.reason
-    monkeypatch.setattr(external, "run_limited", lambda *_, **__: Finished(12, "no solution!"))
+    monkeypatch.setattr(external, "run_limited", lambda *_, **__: external.Finished(12, "no solution!"))
     answer = plan_fast_downward(*files, time_limit=1.0)
     assert (answer.status, answer.text) == (PlanStatus.NOT_FOUND, "")

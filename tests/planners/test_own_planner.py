@@ -22,8 +22,7 @@ from neurosym.planners import (
     PlanStatus,
     pddl_planner,
     plan,
-    planner_named,
-    register_planner,
+    registry,
 )
 from neurosym.tasks.transition import PlanStep, validate
 
@@ -109,7 +108,7 @@ def test_a_domain_folder_must_not_bring_a_planner(folder: Path, monkeypatch: pyt
     (folder / "mine.py").write_text(CODE)
     monkeypatch.chdir(folder)
     with pytest.raises(InvalidPlanner, match="has its code in the domain folder"):
-        planner_named("mine:make", folder)
+        registry.planner_named("mine:make", folder)
     monkeypatch.syspath_prepend(folder)
     said = refusal(capsys, "plan", folder, "task-01", "--planner", "mine:make")
     assert "has its code in the domain folder" in said
@@ -211,5 +210,7 @@ def test_a_planner_that_reads_the_network_is_shown_what_it_predicts():
 
 def test_names_of_ours_cannot_be_taken():
     with pytest.raises(InvalidPlanner, match="counting has a name which one of ours has"):
-        register_planner(pddl_planner("counting", "", lambda *_, **__: PlannerAnswer(PlanStatus.FAILED)))
-    assert planner_named("counting").is_exact
+        registry.register_planner(
+            pddl_planner("counting", "", lambda *_, **__: PlannerAnswer(PlanStatus.FAILED))
+        )
+    assert registry.planner_named("counting").is_exact

@@ -1,9 +1,10 @@
 """Replay: exact displacements, every way that a plan can be impossible, and a task understood once."""
 
 import pytest
+import tables
 from msgspec.structs import replace
 from places import ROOT
-from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, crossing, grounding, item, mode, problem
+from tables import DOWN, LEFT, LIFT, PULL, PUSH, TRAY_LEFT, grounding, item, mode, problem
 
 from neurosym.errors import in_millimetres
 from neurosym.execution.record import Run, why_missed
@@ -59,9 +60,9 @@ def test_miss_by_less_than_is_printed_does_not_look_allowed():
 
 def test_object_must_not_rest_where_another_is():
     behind, front = LEFT, PlanStep("push-left-000-block", "item-02")
-    found = validate([behind, front], crossing(), grounding())
+    found = validate([behind, front], tables.crossing(), grounding())
     assert found.reason == "step 1, push-left-000-block item-01: item-01 ends where item-02 is"
-    assert validate([front, behind], crossing(), grounding()).valid
+    assert validate([front, behind], tables.crossing(), grounding()).valid
     above = two((0.512, -0.06), (0.512, -0.021, 0.228))
     assert validate([LIFT], above, grounding()).valid, "a held object may be above another"
     assert "ends where" in validate([LIFT, DOWN], above, grounding()).reason
@@ -76,27 +77,17 @@ def two(spot: tuple[float, float], goal: tuple[float, float, float]) -> Problem:
 
 def test_object_may_come_to_the_very_edge_and_touch_another_whatever_binary_numbers_make_of_it():
     """0.14 + 0.04 is greater than 0.18 in binary, and 0.09 - 0.04 less than 0.05."""
-    learned = grounding()
-    push = replace(learned.operator_named("push-left-000-block"), modes=(mode((0.0, 0.04, 0.0)),))
-    small = replace(
-        learned,
-        table=Table(x=(0.3, 0.9), y=(-0.3, 0.18)),
-        operators=replace(learned.operators, operators=(push,)),
-    )
-    step = PlanStep(push.name, "item-01")
+    learned = tables.with_modes(LEFT.operator, mode((0.0, 0.04, 0.0)))
+    small = replace(learned, table=Table(x=(0.3, 0.9), y=(-0.3, 0.18)))
     edge = Problem("edge", (item("item-01", 0.5, 0.14),), {"item-01": (0.5, 0.18, 0.025)}, tolerance=0.01)
-    touching = Problem(
-        "touching",
-        (item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.09)),
-        {"item-01": (0.5, 0.04, 0.025)},
-        tolerance=0.01,
-    )
+    both = (item("item-01", 0.5, 0.0), item("item-02", 0.5, 0.09))
+    touching = Problem("touching", both, {"item-01": (0.5, 0.04, 0.025)}, tolerance=0.01)
     assert 0.14 + 0.04 > 0.18
     assert abs(0.04 - 0.09) < 0.05
     for one in (edge, touching):
-        assert validate([step], one, small).valid
-        assert plan(one, small, "counting").steps == (step,)
-        assert plan(one, small, "bfs-operators").steps == (step,)
+        assert validate([LEFT], one, small).valid
+        assert plan(one, small, "counting").steps == (LEFT,)
+        assert plan(one, small, "bfs-operators").steps == (LEFT,)
 
 
 @pytest.mark.parametrize(("domain", "name"), [("places", "row-4-12"), ("towers", "tower-6-05")])
