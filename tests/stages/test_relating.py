@@ -19,7 +19,14 @@ STEPS = 160
 def folder(tmp_path_factory: pytest.TempPathFactory) -> DomainFolder:
     """A folder that went the whole way, with places and pairs."""
     path = tmp_path_factory.mktemp("relations") / "toy"
-    options = {"strategy": "random", "regime": "quick", "seed": 3, "workers": 1, "problems": 0}
+    options = {
+        "strategy": "random",
+        "regime": "quick",
+        "seed": 3,
+        "workers": 1,
+        "problems": 0,
+        "action_bits": 2,
+    }
     with pytest.MonkeyPatch.context() as patched:
         patched.setitem(REGIMES, "quick", SHORTENED)
         run(path, world="toy-relations", steps=256, places=128, relations=STEPS, rehearsals=16, **options)
