@@ -19,6 +19,12 @@ RUN_TOY = [
     *["--places", "512"],
 ]
 """How the toy domain folder is learned."""
+SHORTLY = """
+from toy_learning import REGIMES, SHORTENED
+from neurosym.commands.cli import main
+REGIMES["quick"] = SHORTENED
+main()
+"""
 
 
 for number in (signal.SIGINT, signal.SIGHUP):
@@ -45,8 +51,11 @@ def toy_folder(tmp_path_factory) -> Path:
     with FileLock(shared / "toy.lock"):
         if not folder.is_dir():
             python = [sys.executable, "-W", "error::RuntimeWarning"]
-            command = [*python, "-m", "neurosym", "run", str(shared / "toy-unfinished"), *RUN_TOY]
-            ended = subprocess.run(command, capture_output=True, text=True)  # where no shapes are checked
+            command = [*python, "-c", SHORTLY, "run", str(shared / "toy-unfinished"), *RUN_TOY]
+            paths = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+            ended = subprocess.run(
+                command, capture_output=True, text=True, env=paths
+            )  # no shapes are checked
             assert ended.returncode == 0, ended.stderr
             (shared / "toy-unfinished").rename(folder)
     return folder
