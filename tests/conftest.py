@@ -19,6 +19,8 @@ RUN_TOY = [
     *["--places", "512"],
 ]
 """How the toy domain folder is learned."""
+SHORTLY = "from neurosym.commands.cli import main; from toy_learning import REGIMES, SHORTENED; "
+SHORTLY += "REGIMES['quick'] = SHORTENED; main()"
 
 
 for number in (signal.SIGINT, signal.SIGHUP):
@@ -35,6 +37,14 @@ def pytest_collection_modifyitems(items):
     items.sort(key=lambda item: order.get(item.path.name, len(LONGEST)))  # stable
 
 
+def learn_shortly(folder: Path, *options: object) -> None:
+    """Learn a domain folder by a short training, in a process of its own, where no shapes are checked."""
+    words = [sys.executable, "-W", "error::RuntimeWarning", "-c", SHORTLY, "run", folder, *options]
+    paths = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    ended = subprocess.run([str(word) for word in words], capture_output=True, text=True, env=paths)
+    assert ended.returncode == 0, ended.stderr
+
+
 @pytest.fixture(scope="session")
 def toy_folder(tmp_path_factory) -> Path:
     """A domain folder learned from nothing on the toy world, with two problems; tests must not change it."""
@@ -44,10 +54,7 @@ def toy_folder(tmp_path_factory) -> Path:
     folder = shared / "toy"
     with FileLock(shared / "toy.lock"):
         if not folder.is_dir():
-            python = [sys.executable, "-W", "error::RuntimeWarning"]
-            command = [*python, "-m", "neurosym", "run", str(shared / "toy-unfinished"), *RUN_TOY]
-            ended = subprocess.run(command, capture_output=True, text=True)  # where no shapes are checked
-            assert ended.returncode == 0, ended.stderr
+            learn_shortly(shared / "toy-unfinished", *RUN_TOY)
             (shared / "toy-unfinished").rename(folder)
     return folder
 

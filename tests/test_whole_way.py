@@ -18,7 +18,7 @@ from neurosym.planners.external import plan_fast_downward
 from neurosym.stages.plan_records import PlanRecord
 
 LEARN = ["--steps", "128", "--seed", "7", "--regime", "quick", "--rehearsals", "6", "--problems", "3"]
-LEARN += ["--action-bits", "1", "--choice", "lowest-error"]  # two primitives, and no auditions
+LEARN += ["--action-bits", "1", "--choice", "lowest-error", "--workers", "1"]  # and no auditions
 
 
 def command(folder: Path) -> list[str]:

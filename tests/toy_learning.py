@@ -34,19 +34,12 @@ BRIEF = TrainingConfig(
     decoder=DecoderConfig(imagined=300, imagined_epochs=2, epochs=2),
 )
 """A training that learns nearly nothing."""
+TABLE = {"table_actions": 400, "table_objects": 24, "table_restarts": 3}
 SHORTENED = replace(
     REGIMES["quick"],
     training=TrainingConfig(
         teacher=TeacherConfig(epochs=20),
-        naming=NamingConfig(
-            table_actions=400,
-            table_objects=24,
-            table_restarts=3,
-            actions=4000,
-            objects=400,
-            starts=1,
-            steps=100,
-        ),
+        naming=NamingConfig(**TABLE, actions=4000, objects=400, starts=1, steps=100),
         coding=CodingConfig(steps=100),
         decoder=DecoderConfig(imagined=5000, imagined_epochs=3),
     ),

@@ -11,7 +11,7 @@ from neurosym.data.origin import Dimensions
 from neurosym.learning.coclustering import cocluster, gray_order
 from neurosym.learning.losses import Samples
 from neurosym.learning.network import DirectModel
-from neurosym.learning.recipes import find_code_targets
+from neurosym.learning.recipes import _costs, find_code_targets
 from neurosym.learning.training_config import ModelConfig
 
 ALONG_ACTIONS = torch.tensor([[0.0, 0.0], [0.0, 3.0], [2.0, 0.0], [5.0, 5.0]])
@@ -56,6 +56,16 @@ def test_planted_kinds_of_action_and_object_each_get_a_code():
     object_codes = targets.object_costs.argmin(1)
     is_positive = (targets.features[:, 0] > 0).long()
     assert torch.equal(object_codes, is_positive) or torch.equal(object_codes, 1 - is_positive)
+
+
+def test_costs_count_each_code_of_objects_as_often_as_in_the_whole_table():
+    rng, codes = np.random.default_rng(1), np.array([0, 1, 1, 0, 0, 1, 1, 1, 0])
+    table, effects = rng.normal(size=(5, 9, 3)), rng.normal(size=(4, 2, 3))
+    means = np.stack([table[:, codes == code].mean(1) for code in (0, 1)], axis=1)
+    costs = ((means[:, None] - effects) ** 2).sum(3) @ [0.75, 0.25]
+    costs -= costs.min(1, keepdims=True)
+    found = _costs(table, effects, codes, np.array([0, 0, 0, 1]))
+    np.testing.assert_allclose(found, costs / costs.mean(), rtol=1e-5)
 
 
 # Co-clustering

@@ -19,6 +19,7 @@ from neurosym.learning.network import (
     with_gripper_states,
 )
 from neurosym.learning.training_config import DirectConfig, ModelConfig
+from neurosym.operators import all_symbols
 
 
 def made(kind, config, seed, dimensions):
@@ -87,7 +88,7 @@ def test_variance_has_a_floor_and_a_head_of_means_has_none():
     assert model.effect_std.min() > 0, "also of an axis that never changes"
 
 
-def test_prediction_from_codes_sees_nothing_but_the_bits():
+def test_prediction_from_codes_sees_nothing_but_the_bits_and_stands_in_the_table():
     model = an_effect_model()
     features, actions = inputs(200)
     mean, _ = model.predict_from_codes(features, actions)
@@ -95,6 +96,9 @@ def test_prediction_from_codes_sees_nothing_but_the_bits():
     for pair in set(pairs):
         rows = [row for row, other in enumerate(pairs) if other == pair]
         np.testing.assert_allclose(mean[rows], np.tile(mean[rows[0]], (len(rows), 1)), atol=1e-6)
+    table = model.branching_table(features, all_symbols(3))
+    chosen = [int(symbol, 2) for symbol in model.action_symbols(actions)]
+    np.testing.assert_allclose(table[np.arange(200), chosen], mean, atol=1e-6)
 
 
 # What they are shown: grippers open or closed, and each sample in the mirrors that a coin chooses

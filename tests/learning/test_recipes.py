@@ -16,20 +16,12 @@ from neurosym.learning.training_config import (
     TrainingConfig,
 )
 
+TABLE = {"table_actions": 300, "table_objects": 32, "table_restarts": 3}
 SMALL_FIT = TrainingConfig(
     epochs=20,
     batch=128,
     teacher=TeacherConfig(DirectConfig(hidden=64), epochs=40, batch=128),
-    naming=NamingConfig(
-        table_actions=300,
-        table_objects=32,
-        table_restarts=3,
-        actions=4000,
-        objects=600,
-        starts=1,
-        steps=400,
-        batch=96,
-    ),
+    naming=NamingConfig(**TABLE, actions=4000, objects=600, starts=1, steps=400, batch=96),
     coding=CodingConfig(actions=128, objects=8, steps=100),
     decoder=DecoderConfig(imagined=4000, imagined_epochs=15, epochs=15),
 )

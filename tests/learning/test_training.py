@@ -132,14 +132,15 @@ def test_mirrors_are_made_use_of_only_if_the_origin_names_them_and_the_config_al
 
 def test_batches_are_seen_through_each_mirror_half_of_the_time():
     samples = losses.samples_of(toy_data(300))
-    _, actions, effects = samples.batch(torch.zeros(2000, dtype=torch.int64), torch.Generator())
     for axis in (0, 1):
-        flipped = actions[:, axis] == -samples.actions[0, axis]
+        row = int(samples.effects[:, axis].abs().argmax())
+        _, actions, effects = samples.batch(torch.full((2000,), row), torch.Generator())
+        flipped = actions[:, axis] == -samples.actions[row, axis]
         assert 0.45 < flipped.float().mean() < 0.55
         signs = torch.where(flipped, -1.0, 1.0)
-        torch.testing.assert_close(actions[:, axis + 8], signs * samples.actions[0, axis + 8])
-        torch.testing.assert_close(effects[:, axis], signs * samples.effects[0, axis])
-    assert torch.all(effects[:, 2] == samples.effects[0, 2])
+        torch.testing.assert_close(actions[:, axis + 8], signs * samples.actions[row, axis + 8])
+        torch.testing.assert_close(effects[:, axis], signs * samples.effects[row, axis])
+        assert torch.all(effects[:, 2] == samples.effects[row, 2])
 
 
 def assessed(data):

@@ -19,6 +19,7 @@ from neurosym.sim.config import TOOL_DOWN, Arm, loaded, pybullet
 from neurosym.sim.numeric_inverse import NumericInverse
 from neurosym.sim.robot import UR10, joints_for
 from neurosym.world import Place
+from neurosym.worlds import own_world
 
 CODE, LOOK = python_blocks("own-robot.md")
 UR10_REACHES = [0.3, -0.35, 0.013], [1.0, 0.35, 0.36]
@@ -102,8 +103,9 @@ def test_what_is_no_arm_is_refused():
         NumericInverse("nowhere.urdf", (0.0, 0.0, 0.0), (0,), 1, (0.0,))(np.zeros((1, 3)))
 
 
-def test_panda_explores_for_a_domain_of_its_own(panda):
+def test_panda_explores_for_a_domain_of_its_own(panda, monkeypatch):
     """How a domain comes of that does not depend on the arm; `init` checks the world."""
+    monkeypatch.setattr(own_world, "_INTERACTIONS", 2)  # that are looked at through each mirror
     assert neurosym("init", "tiny", "--world", "panda:make") == 0
     assert neurosym("explore", "tiny", "--strategy", "random", "--steps", 4, "--workers", 1) == 0
     assert Interactions.load(Path("tiny/interactions.npz")).origin["world"] == "panda:make"

@@ -2,11 +2,9 @@
 
 import numpy as np
 import pytest
-from toy_learning import SHORTENED
+from conftest import LEARN_TOY, learn_shortly
 
-from neurosym.commands.pipeline import run
 from neurosym.data.interactions import Interactions
-from neurosym.learning.training_config import REGIMES
 from neurosym.pair_operators import PairStates, RelationOperators
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder, load_scene
@@ -19,10 +17,8 @@ STEPS = 160
 def folder(tmp_path_factory: pytest.TempPathFactory) -> DomainFolder:
     """A folder that went the whole way, with places and pairs."""
     path = tmp_path_factory.mktemp("relations") / "toy"
-    options = {"strategy": "random", "regime": "quick", "seed": 3, "workers": 1, "problems": 0}
-    with pytest.MonkeyPatch.context() as patched:
-        patched.setitem(REGIMES, "quick", SHORTENED)
-        run(path, world="toy-relations", steps=256, places=128, relations=STEPS, rehearsals=16, **options)
+    few = ["--steps", 256, "--places", 128, "--relations", STEPS, "--rehearsals", 8, "--problems", 0]
+    learn_shortly(path, *LEARN_TOY, "--world", "toy-relations", "--seed", 3, "--action-bits", 2, *few)
     return DomainFolder(path)
 
 

@@ -119,6 +119,9 @@ def test_cube_is_put_on_the_floor_of_a_tray_and_the_next_one_on_it_or_beside_it(
     assert put(outcome.end, 2, ON, aside).end.positions[2, 2] == pytest.approx(WALL + 0.025)
     after = let_down(scene((CUBE, 0.5, 0.0, 0), (CUBE, 0.8, 0.1, 0)), 0, np.array([0.84, 0.1]))
     np.testing.assert_allclose(after.positions[0], [0.851, 0.1, 0.025])
+    rim = put(scene((TRAY, 0.5, 0, 0), (TRAY, 0.8, 0.1, 0)), 0).end  # it does not fit into one of its size
+    np.testing.assert_allclose(rim.positions[0], [0.8, 0.1, 0.09])
+    assert put(scene(((0.1, 0.1, 0.04, 0.0), 0.5, 0, 0), (SLAB, 0.8, 0.1, 0)), 0).kind == "missed"
 
 
 def test_what_rests_on_the_target_goes_along_and_is_said_to_have_moved():
