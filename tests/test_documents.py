@@ -14,8 +14,8 @@ from validators import quiet
 import neurosym
 from neurosym.execution.record import Run
 from neurosym.files import read_json
-from tools import draw_docs, prose
 from neurosym.report.run_film import step_named
+from tools import draw_docs, prose
 from tools.draw_films import FILMS
 from tools.write_commands import page
 
