@@ -229,9 +229,7 @@ def shares(frame: Frame) -> list[int]:
 @pytest.mark.filterwarnings("ignore")
 def test_colours_of_categories_are_told_apart_by_all_eyes():
     pytest.importorskip("colour", reason="pip install colour-science")
-    pages = pytest.importorskip(
-        "tools.benchmarks.studio.pages", reason="what it opens pages with is an extra"
-    )
+    pages = pytest.importorskip("tools.benchmarks.studio.pages", reason="an extra")
     assert pages.least_colour_distance() >= LEAST
 
 
