@@ -14,8 +14,9 @@ from validators import quiet
 import neurosym
 from neurosym.execution.record import Run
 from neurosym.files import read_json
+from neurosym.report.run_film import step_named
 from tools import draw_docs, prose
-from tools.draw_films import FILMS, words
+from tools.draw_films import FILMS
 from tools.write_commands import page
 
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -139,5 +140,5 @@ def test_a_film_is_of_a_run_that_reached_its_goal_and_says_its_steps(name: str):
     domain, problem = FILMS[name]
     run = read_json(ROOT / "domains" / domain / "runs" / f"{problem}.fast-downward.run.json", Run)
     assert run.reached
-    assert [words(record) for record in run.steps] == SAID[name]
+    assert [step_named(record) for record in run.steps] == SAID[name]
     assert f"(images/{name}.gif)" in (ROOT / "docs" / "index.md").read_text()

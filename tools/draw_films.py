@@ -6,7 +6,6 @@ each step.
 
 import argparse
 import io
-import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -20,6 +19,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import DOT_COLOURS
 from neurosym.pictures.film import Sparing
 from neurosym.problems import Problem
+from neurosym.report.run_film import step_named
 from neurosym.sim import camera
 from neurosym.stages.console import say
 from neurosym.stages.painting import painted_world
@@ -42,17 +42,6 @@ PICTURES = 120
 """How many pictures of motion a film has at most; as many fewer as its kilobytes ask for."""
 Shot = tuple[Image.Image, int]
 """A picture, and how long it is shown [ms]."""
-
-
-def words(record: StepRecord) -> str:
-    """Name a step as people do: lift item-04; item-02 rests on item-03."""
-    found = re.match(r"[a-z-]+?(?=-[01]+)", record.operator)
-    verb = (found[0] if found else record.operator).replace("-", " ")
-    if not record.place:
-        return f"{verb} {record.object}"
-    if record.place in record.positions:
-        return f"{record.object} {verb} {record.place}"
-    return f"carry {record.object} to its goal"
 
 
 class Shooting:
@@ -103,7 +92,7 @@ def cut(run: Run, steps: Sequence[Sequence[Frame]], thin: int) -> list[Shot]:
     """Put the pictures of all steps behind one another, every `thin`th; the end of a step stands still."""
     shots = list[Shot]()
     for number, (record, frames) in enumerate(zip(run.steps, steps, strict=True), start=1):
-        line = f"{number} of {len(run.steps)}: {words(record)}"
+        line = f"{number} of {len(run.steps)}: {step_named(record)}"
         shots += [(framed(frame, line), FRAME) for frame in frames[:-1:thin]]
         shots.append((framed(frames[-1], line), STEP_END))
     frame = steps[-1][-1]

@@ -145,6 +145,14 @@ def replay(
     else:
         run, agreement = replay_run(domain, record, showing)
     _say_written(gif, strip, page)
+    code = _say_course(run, agreement, record)
+    seen = f"replay {quoted(folder)} {quoted(record)} --page run.html"
+    say_next(f"neurosym {f'report {quoted(folder)}' if page else seen}")
+    return code
+
+
+def _say_course(run: "Run", agreement: "Agreement", record: Path) -> int:
+    """Say whether the same happened again, and return the exit code."""
     happened = f"the same happened again in {counted(len(run.steps), 'step')}"
     if agreement.course == "same bytes":
         say(f"{happened}, byte for byte; {run.outcome}; {run.credit}")

@@ -85,6 +85,7 @@ def show(
     else:
         name = f"operator-{operator}" if operator is not None else f"primitive-{primitive}"
         _show_motions(domain, world, _learned(domain, world, primitive, operator), name, output, gui)
+        say_next(f"neurosym explain {quoted(folder)} --symbol {quoted(operator or primitive or '')}")
     return 0
 
 

@@ -282,6 +282,9 @@ def plan(
         say(f"wrote {folder / written}{said}")
         within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
         say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / written)}{within}")
+    else:
+        seen = f"show {quoted(folder)} --problem {name}"
+        say_next(f"neurosym {seen if nearest else f'plan {quoted(folder)} {name} --nearest'}")
     if written and output == _STANDARD:
         be_quiet(False)
         print_raw(read_text(domain / written))

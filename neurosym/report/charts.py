@@ -20,6 +20,7 @@ _STEPS = (1, 2, 2.5, 5, 10)
 _MOST_DOTS = 2000  # interactions whose effects are drawn: equally spaced ones, if there are more
 _BLOCK = 256
 _MOST_BLOCKS = 24
+_PANEL, _MOST_PANELS = 60, 16  # half a side of the plot of an action [pixels], and how many there are
 _INSIDE = 0.99  # share of the points that the axes of a scatter plot must hold
 _MILLIMETRES = 1000
 _SIGNS = ("h0", "m-3-3l6 6m0-6l-6 6", "m-3 0h6m-3-3v6", "m-2-2h4v4h-4z", "m-2 0h4", "h0")
@@ -92,7 +93,10 @@ def chart(
 
 
 def explored(
-    interactions: Interactions, codes: Sequence[Symbol] = (), palette: Palette | None = None
+    interactions: Interactions,
+    codes: Sequence[Symbol] = (),
+    palette: Palette | None = None,
+    acts: Sequence[Symbol] = (),
 ) -> dict[str, Any]:
     """Describe a data set that has one row or more: how often what became of objects, and charts of it.
 
@@ -100,6 +104,7 @@ def explored(
         interactions: The data.
         codes: The object symbol of each row, if there are any.
         palette: Their colours.
+        acts: The action symbol of each row, if there are any.
     """
     kinds, origin = what_became(interactions), interactions.origin
     rows = {code: np.array(codes) == code for code in sorted(set(codes))}
@@ -111,6 +116,7 @@ def explored(
         "origin": by if "strategy" in origin else "data of one's own",
         "shares": [(name, float(rows.mean())) for name, rows in kinds.items() if rows.any()],
         "charts": [_over_time(kinds), *_scatters(interactions, kinds, _SIGNS), *by_code],
+        "by_action": _by_action(interactions, acts, rows, paints) if paints and acts else None,
     }
 
 
@@ -200,6 +206,33 @@ def _scatters(
     if actions.shape[1] == 12:
         what = f"From the first to the last waypoint of the hand, in {shown}"
         yield from_above(f"Actions{by}, seen from above", what, actions[:, 8:11] - actions[:, :3])
+
+
+def _by_action(
+    interactions: Interactions,
+    acts: Sequence[Symbol],
+    kinds: Mapping[Symbol, Bool[np.ndarray, "P"]],
+    paints: Sequence[str],
+) -> dict[str, Any] | None:
+    """Draw for each action symbol where the objects went, seen from above; None where that is not x, y, z."""
+    if interactions.effects.shape[1] != 3:
+        return None
+    rows = np.unique(np.linspace(0, len(acts) - 1, min(_MOST_DOTS, len(acts))).astype(int))
+    across = _MILLIMETRES * interactions.effects[rows, :2].astype(float) * (1, -1)
+    reach = _reach(np.abs(across).max(1))
+    places, shown = _PANEL / reach * across[:, ::-1] * (1, -1), np.abs(across).max(1) <= reach
+    codes, panels = np.array(acts)[rows], []
+    for code in np.unique(codes).tolist():
+        dots = []
+        for (name, of), paint in zip(kinds.items(), paints, strict=True):
+            these = places[of[rows] & shown & (codes == code)].tolist()
+            if these:
+                path = "".join(f"M{x:.1f} {y:.1f}h0" for x, y in these)
+                dots.append({"name": name, "paint": paint, "path": path})
+        panels.append({"code": code, "count": int((codes == code).sum()), "dots": dots})
+    panels = sorted(panels, key=lambda one: -one["count"])[:_MOST_PANELS]
+    ordered = sorted(panels, key=lambda one: one["code"])
+    return {"panels": ordered, "edge": _PANEL, "reach": round(reach), "count": len(rows)}
 
 
 def _reach(distances: Float[np.ndarray, "P"]) -> float:

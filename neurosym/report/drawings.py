@@ -161,7 +161,7 @@ def seen(points: Float[np.ndarray, "P 3"]) -> Polygon:
     )
 
 
-def _solid(
+def solid(
     features: Sequence[float], colour: Colour, at: tuple[float, float], scale: float, veil: float = 0.0
 ) -> str:
     """Draw a body of three sizes [m] and a type that stands at a place [pixels], a hole in it by its type.
@@ -230,7 +230,7 @@ def object_drawing(
     if is_body(features):
         longest = max(one.high for one in features[:3])
         scale = min(width, _LEAST_WIDE * height) * 0.62 / longest
-        inner = _solid(values, colour, (width / 2, height * 0.62), scale)
+        inner = solid(values, colour, (width / 2, height * 0.62), scale)
     else:
         shares = [
             (value - one.low) / (one.high - one.low) for one, value in zip(features, values, strict=True)
@@ -275,7 +275,7 @@ def effect_drawing(
     wide = np.abs(flat[:2, 0]).max() / 2
     left, right = min(-wide, flat[2, 0] - _HEAD), max(wide, flat[2, 0] + _HEAD)
     at = np.array([width / 2 - max(0.0, right - width / 2) + max(0.0, -left - width / 2), height - _BELOW])
-    body = _solid(item, colour, tuple(at), scale, _VEIL) if item else ""
+    body = solid(item, colour, tuple(at), scale, _VEIL) if item else ""
     start, end, foot = at + scale * seen(
         np.array([(0, 0, tall / 2), np.add(effect, (0, 0, tall / 2)), (effect[0], effect[1], 0)])
     )

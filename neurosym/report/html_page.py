@@ -26,7 +26,9 @@ from neurosym.pictures.film import Row, motion_stills, run_stills
 from neurosym.pictures.motions import surest_carriers
 from neurosym.problems import Problem
 from neurosym.report.charts import aimed_in_words, explored
+from neurosym.report.drawings import is_body
 from neurosym.report.overview import (
+    action_codes,
     atlas_of_folder,
     kinds_of,
     maps_of,
@@ -34,6 +36,7 @@ from neurosym.report.overview import (
     promises_of,
     share_kept,
 )
+from neurosym.report.run_film import film_of_run
 from neurosym.report.symbols import effect_row
 from neurosym.stages import layout
 from neurosym.stages.folder import Claim, DomainFolder, Stage, rehearsal_options, versions
@@ -45,6 +48,7 @@ from neurosym.worlds.workers import worker_pool
 
 _T = TypeVar("_T")
 _EXAMPLES = 6  # how many runs are shown in pictures
+_FILMS = 3  # of these, as films, too
 _MOST_STEPS = 6  # how many steps an example has at most, so that its pictures fit into a row
 _PICTURED = 16
 """How many primitives are shown in pictures: each takes seconds, and symbols of six bits are 64."""
@@ -303,13 +307,20 @@ def gather(folder: DomainFolder, progress: Progress, *, workers: int = 1) -> dic
     atlas = atlas_of_folder(folder, interactions)
     palette = Palette.of(table.categories) if table else Palette(atlas.shares() if atlas else ())
     codes = atlas.symbols(interactions.features) if atlas and interactions else ()
+    acts = action_codes(folder, interactions) if codes and interactions else ()
+    filmed = _most_telling(runs)[:_FILMS] if grounding and atlas and is_body(atlas.features) else []
     uses = Counter(one.primitive for one in grounding.live) if grounding else Counter[str]()
     return {
         "name": folder.path.resolve().name,
         "path": str(folder.path),
         "explanation": explain_folder(folder) if table else None,
         **_pictures(folder, grounding, runs, progress, workers),
-        "data": explored(interactions, codes, palette) if interactions and len(interactions) else None,
+        "films": [
+            film_of_run(one.problem, one.run, palette, grounding.table, f"film-{number}")
+            for number, one in enumerate(filmed)
+            if grounding
+        ],
+        "data": explored(interactions, codes, palette, acts) if interactions and len(interactions) else None,
         "aimed": aimed_in_words(places) if places else "",
         "learned": report,
         "kept": share_kept(report) if report and report.r2_direct > 0 else None,

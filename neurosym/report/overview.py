@@ -40,6 +40,11 @@ def atlas_of_folder(folder: DomainFolder, interactions: Interactions | None) -> 
     return Atlas(categorise, interactions.features, names)
 
 
+def action_codes(folder: DomainFolder, interactions: Interactions) -> tuple[Symbol, ...]:
+    """Name the symbol of each action of a folder's data."""
+    return EffectModel.load(folder / layout.MODEL).action_symbols(interactions.actions)
+
+
 def share_kept(report: TrainingReport) -> _Told:
     """Say where R2 through the symbols lies between a guess, 0, and a network without a bottleneck, 100."""
     percent = round(100 * min(1.0, max(0.0, report.r2_through_codes / report.r2_direct)))

@@ -2,6 +2,7 @@
 
 import re
 import shutil
+from collections import Counter
 from html import escape
 from html.parser import HTMLParser
 
@@ -10,18 +11,22 @@ import numpy as np
 import pytest
 import toy_relations
 from command_line import contents, neurosym, refusal
+from places import ROOT
 from toy_relations import PUT_IN, PUT_ON
 
 from neurosym.colours import Palette
 from neurosym.data.interactions import Interactions
 from neurosym.evaluation.summary import Comparison, Tally
+from neurosym.execution.record import Run
 from neurosym.files import read_json, write_json
 from neurosym.grounding import Grounding
 from neurosym.learning.training import TrainingReport
 from neurosym.pictures.motions import surest_carriers
+from neurosym.problems import Problem
 from neurosym.report.charts import Axis, chart, explored, round_values, what_became
 from neurosym.report.html_page import gather, render, summaries
 from neurosym.report.overview import promises_of, share_kept
+from neurosym.report.run_film import film_of_run, step_named
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.plan_records import PlanRecord
 
@@ -116,6 +121,22 @@ def test_page_opens_with_map_kinds_matrix_and_promises(reported):
     for symbol in grounding.operators.symbols:
         assert f'<a class="bits" href="#action-{symbol}">' in opening
     assert 'class="promises"' in opening
+
+
+def test_films_move_what_the_run_moved_and_nothing_else():
+    domain, name = ROOT / "domains/towers", "tower-6-08"
+    problem = Problem.load(domain / f"problems/{name}.scene.json")
+    run = read_json(domain / f"runs/{name}.fast-downward.run.json", Run)
+    table = Grounding.load(domain / "grounding.json").table
+    film = film_of_run(problem, run, Palette(), table, "film")
+    moved = {int(number) for number in re.findall(r"@keyframes film-(\d+)\{", film["styles"])}
+    start = {item.name: item.position for item in problem.objects}
+    apart = {
+        item: np.linalg.norm(np.subtract(at, start[item])) for item, at in run.steps[-1].positions.items()
+    }
+    assert {problem.object_names[one] for one in moved} == {item for item, far in apart.items() if far > 0.01}
+    for number, record in enumerate(run.steps, 1):
+        assert f">{number}. {step_named(record)}</text>" in film["svg"]
 
 
 def test_promises_are_ranked_with_those_on_pairs_and_without_what_is_left_out():
@@ -227,6 +248,9 @@ def test_effects_are_drawn_by_outcome_without_colours_and_by_symbol_in_its_colou
     assert len({*signs[:-1]}) == len(signs) - 1
     for drawn in (above, beside):
         assert {one["name"]: one["paint"] for one in drawn["series"]} == {c: palette.hex(c) for c in codes}
+    acts = ["0" if held else "1" for held in data.held]
+    panels = explored(data, codes, palette, acts)["by_action"]["panels"]
+    assert {one["code"]: one["count"] for one in panels} == Counter(acts)
     dots = [sum(one["path"].count("M") for one in chart["series"]) for chart in (by_outcome[1], above)]
     assert dots[0] == dots[1]
 

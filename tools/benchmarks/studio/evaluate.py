@@ -24,15 +24,26 @@ from tools.benchmarks.studio.measures import (
     measure_run,
     measure_start,
 )
+from tools.benchmarks.studio.pages import measure_pages
 
 PARTS: dict[str, tuple[str, Callable[[], dict[str, Any]]]] = {
     "start": ("Until the page can be used", measure_start),
     "access": ("Barriers that axe-core calls serious or critical", measure_access),
+    "pages": ("Reports, site and colours", measure_pages),
     "run": ("One run, as fast as in reality", measure_run),
     "drags": ("Goals dragged by mouse", measure_drags),
     "recording": ("A run as one file", measure_recording),
     "crowd": ("A class on one server", measure_crowd),
 }  # what is measured, by what it is called
+
+
+def summary(found: dict[str, Any]) -> dict[str, Any]:
+    """Return what is asked of the whole: heights, colours, barriers, and questions once they were asked."""
+    pages, asked = found.get("pages", {}), RESULTS / "questions.json"
+    both = found.get("access", {}) | pages
+    told = {key: pages[key] for key in ("report_px", "least_colour_distance") if pages}
+    told |= {"axe_serious": sum(both[key] for key in both if key.startswith("serious"))}
+    return told | ({"questions": json.loads(asked.read_text())} if asked.exists() else {})
 
 
 def page(found: dict[str, Any]) -> str:
@@ -57,6 +68,7 @@ def main() -> None:
         if only in (None, part):
             say(f"measuring: {title}")
             found[part] = measure() | {"machine": machine}
+            found |= summary(found)
             write_atomically(file, as_text(found))
             write_atomically(RESULTS / "studio.md", page(found))
             say(as_text(found[part]))
