@@ -14,7 +14,7 @@ from neurosym.errors import InvalidValue
 from neurosym.operators import Categorise, Vector, vector
 from neurosym.pair_operators import extent
 from neurosym.pddl.problem_check import valid_relations, why_no_relation, why_too_many
-from neurosym.problems import Problem, RelationGoal, SceneObject
+from neurosym.problems import Problem, RelationGoal, SceneObject, goal_heights
 from neurosym.tasks.options import Put
 from neurosym.tasks.supports import Borne, carried_along, chain_below
 from neurosym.tasks.task import Task
@@ -270,11 +270,17 @@ def complaints_about(task: Task) -> dict[str, str]:
         if name in problem.goals:
             upon = carried_along(name, supports)
             why = why_not_there(problem, name, "goal", table, ghosts=ghosts, may_be_in=upon)
-            if why := _unless_dropped(why, task, name):
+            if why := _unless_dropped(why, task, name) or _too_high(task, name):
                 found[f"goal {name}"] = why
     if problem.related and why_no_relation(problem, task.grounding):
         found |= {f"goal {goal[0]}": why for goal in problem.related if (why := why_no_goal(task, goal))}
     return found
+
+
+def _too_high(task: Task, name: str) -> str:
+    """Say that a goal is higher than anything is lifted, or nothing."""
+    height, (_, highest) = task.problem.goals[name][2], goal_heights(task.problem, task.grounding.lift_height)
+    return f"the goal of {name} is {height:g} m high; at most {highest:.3f} m" if height > highest else ""
 
 
 def _unless_dropped(why: str, task: Task, name: str) -> str:

@@ -39,12 +39,16 @@ def studio() -> Iterator[Studio]:
     opened.close()
 
 
-@pytest.fixture
-def window(studio, browser) -> Iterator[Window]:
-    opened = Window(browser, studio)
+@pytest.fixture(params=[True])
+def window(studio, browser, request) -> Iterator[Window]:
+    """A window; parametrized by False, it does not draw the table, which takes long in software."""
+    opened = Window(browser, studio, is_drawn=request.param)
     yield opened
     opened.context.close()
     assert opened.errors == []
+
+
+undrawn = pytest.mark.parametrize("window", [False], indirect=True, ids=["undrawn"])
 
 
 def test_goal_is_dragged_planned_to_and_run(window):
@@ -73,6 +77,7 @@ def test_goal_is_dragged_planned_to_and_run(window):
     ] == []
 
 
+@undrawn
 def test_first_visit_begins_with_the_tour_under_a_title_and_the_map_resizes_the_object(window):
     tab, page = window.tab, window.page
     assert tab.title() == "neurosym studio: tabletop"
@@ -157,13 +162,15 @@ def test_windows_and_tabs_on_one_page_see_the_same_and_a_reload_and_a_nudge_do_n
     window.open("Run")
     window.press("Run")
     window.wait(lambda: session.running.moment)
+    session.running.steer(is_paused=True)  # a reload takes longer than a run, where it is drawn in software
     window.tab.reload()
     window.await_page()
     window.open("Run")
-    assert window.tab.get_by_role("button", name="Stop", exact=True).first.is_enabled()
+    window.tab.get_by_role("button", name="Go on", exact=True).wait_for()
     name, other = session.problem.objects[0].name, session.problem.objects[2]
     assert name != other.name
     window.drag(other.position, np.add(other.position, (-0.08, 0.0, 0.0)))
+    session.running.steer(is_paused=False)
     window.wait(lambda: not session.running.is_active)
     assert session.running.run.nudge.object == other.name
 
@@ -189,6 +196,7 @@ def test_scene_is_taken_as_a_file_and_a_replayed_run_as_a_page(window, browser, 
     film.close()
 
 
+@undrawn
 @pytest.mark.evaluation
 def test_keyboard_reaches_every_panel_and_number(window):
     window.open("Table")
@@ -197,17 +205,18 @@ def test_keyboard_reaches_every_panel_and_number(window):
         window.tab.keyboard.press("ArrowRight")
         assert window.tab.get_by_role("tab", name=label, exact=True).get_attribute("aria-selected") == "true"
     window.open("Table")
-    field = window.tab.get_by_label("Stands at x, y").first
+    field = window.tab.get_by_role("textbox", name="Stands at x")
     field.focus()
     before = window.page.session.problem.objects[0].position
     window.tab.keyboard.press("ArrowUp")
     window.wait(lambda: window.page.session.problem.objects[0].position != before)
 
 
+@undrawn
 @pytest.mark.evaluation
 def test_nearest_goals_are_accepted_with_one_click(window):
     session = window.page.session
-    session.aim("item-01", 0.6, 0.1, 0.45)  # higher than anything is lifted
+    session.aim("item-01", 0.6, 0.1, 0.44)  # higher than anything is lifted
     window.open("Plan")
     window.press("Plan")
     window.wait(lambda: session.plans and not session.planning)

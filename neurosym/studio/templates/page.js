@@ -30,8 +30,11 @@
       if (!button.textContent.trim()) set(button, "aria-label", "Close");
     for (const canvas of all("canvas")) {
       const told = first("[data-scene]");
-      if (!canvas.dataset.engine) set(canvas, "aria-hidden", "true");
-      else if (set(canvas, "role", "img") || told) set(canvas, "aria-label", told ? told.textContent : "The table");
+      const isTable = Boolean(canvas.dataset.engine); // known a while after the canvas is there
+      set(canvas, "aria-hidden", String(!isTable));
+      if (!isTable) continue;
+      set(canvas, "role", "img");
+      set(canvas, "aria-label", told ? told.textContent : "The table");
     }
   }
 
