@@ -15,9 +15,9 @@ LEFT = (0.0021, 0.0832, 0.0)  # what push-left-000-block promises
 
 def with_another(operator: Operator, form: str = NEWER) -> Grounding:
     learned = grounding()
-    table = learned.operators
+    table = learned.objects
     table = msgspec.structs.replace(table, operators=(*table.operators, operator))
-    return msgspec.structs.replace(learned, format=form, operators=table)
+    return msgspec.structs.replace(learned, format=form, objects=table)
 
 
 def push(name: str, effect=LEFT, *, near: int = 18, category: str = "00") -> Operator:
@@ -64,7 +64,7 @@ def test_duplicates_among_hundreds_of_operators_are_found_as_by_comparing_all_pa
     )
     learned = grounding()
     learned = msgspec.structs.replace(
-        learned, format=NEWER, operators=msgspec.structs.replace(learned.operators, operators=many)
+        learned, format=NEWER, objects=msgspec.structs.replace(learned.objects, operators=many)
     )
     kept = [one["name"] for one in domain_operators(read_text(msgspec.json.encode(learned).decode()))]
     assert 100 < len(kept) < 490

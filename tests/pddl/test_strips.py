@@ -99,7 +99,7 @@ def test_everything_is_positive_strips_in_small_letters(learned: Grounding, task
     assert not re.search(r"\b(forall|exists|when|or|imply|either)\b", code)
     assert "(not " not in "".join(line for line in code.splitlines() if ":precondition" in line)
     words = {name for name, _ in (*domain.types, *domain.constants)} | {one.name for one in domain.actions}
-    assert words <= {*WORDS.split(), *(one.name for one in learned.operators.categories)}
+    assert words <= {*WORDS.split(), *(one.name for one in learned.objects.categories)}
 
 
 @of_each_kind
@@ -217,8 +217,8 @@ SLIPPED = mode((0.06, 0.0, 0.0), count=6, near=5)
 
 
 def of(*modes) -> list[Operator]:
-    expanded = with_every_outcome(tables.with_modes("lift-010-block", *modes).operators)
-    return [op for op in expanded.operators if (op.category, op.primitive) == ("00", "010")]
+    expanded = with_every_outcome(tables.with_modes("lift-010-block", *modes).objects)
+    return [op for op in expanded.operators if (op.subject, op.primitive) == ("00", "010")]
 
 
 def shares(*modes):
@@ -237,7 +237,7 @@ def test_each_outcome_at_rest_or_held_is_an_operator_that_is_named_for_it_unless
 
 
 def test_compiled_domain_has_every_outcome_as_an_action_and_as_a_choice():
-    changed = tables.with_modes("lift-010-block", *shares(HELD, SLIPPED)).operators
+    changed = tables.with_modes("lift-010-block", *shares(HELD, SLIPPED)).objects
     learned = compile_domain(changed, name="tabletop", table_bounds=BOUNDS, lift_height=0.2)
     problem = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.56, 0.0, 0.025)}, tolerance=0.01)
     text = problem_text(problem, learned)

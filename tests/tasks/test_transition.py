@@ -77,11 +77,11 @@ def two(spot: tuple[float, float], goal: tuple[float, float, float]) -> Problem:
 def test_object_may_come_to_the_very_edge_and_touch_another_whatever_binary_numbers_make_of_it():
     """0.14 + 0.04 is greater than 0.18 in binary, and 0.09 - 0.04 less than 0.05."""
     learned = grounding()
-    push = replace(learned.operator_named("push-left-000-block"), modes=(mode((0.0, 0.04, 0.0)),))
+    push = replace(learned.operator_named("push-left-000-block"), outcomes=(mode((0.0, 0.04, 0.0)),))
     small = replace(
         learned,
         table=Table(x=(0.3, 0.9), y=(-0.3, 0.18)),
-        operators=replace(learned.operators, operators=(push,)),
+        objects=replace(learned.objects, operators=(push,)),
     )
     step = PlanStep(push.name, "item-01")
     edge = Problem("edge", (item("item-01", 0.5, 0.14),), {"item-01": (0.5, 0.18, 0.025)}, tolerance=0.01)
@@ -119,5 +119,5 @@ def test_a_task_is_understood_once(domain: str, name: str, monkeypatch: pytest.M
     assert called.count("goal_spots") == 1
     assert called.count("describe_pair") in (0, objects * (objects - 1))
     assert called.count("nearest_kinds") <= 1
-    every = sum(one.category == item.category for item in problem.objects for one in grounding.every_operator)
+    every = sum(one.subject == item.category for item in problem.objects for one in grounding.operators)
     assert 0 < refined.hits + refined.misses <= every
