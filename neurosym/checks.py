@@ -6,7 +6,8 @@ import os
 import reprlib
 import sys
 import threading
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_type_hints
@@ -16,8 +17,17 @@ import numpy as np
 
 from neurosym.errors import InvalidValue
 
-decoding = threading.local()
-"""Whether this thread reads a JSON document `now`, all of whose fields fit their types and are finite."""
+_decoding = threading.local()  # whether this thread makes `now` what a file holds
+
+
+@contextmanager
+def decoding() -> Iterator[None]:
+    """Make what a JSON document holds: all its fields fit their types and are finite, and are not checked."""
+    before, _decoding.now = getattr(_decoding, "now", False), True
+    try:
+        yield
+    finally:
+        _decoding.now = before
 
 
 def check_kind(name: str, value: object, kind: Any, valid: str) -> None:
@@ -102,7 +112,7 @@ def check_fields(document: msgspec.Struct) -> None:
 
     What is being decoded from JSON is checked by what decodes it: in JSON all numbers are finite.
     """
-    if getattr(decoding, "now", False):
+    if getattr(_decoding, "now", False):
         return
     kind = type(document)
     for name, hint in _hints(kind).items():

@@ -39,8 +39,12 @@ _TOO_DEEP = f"its lists and tables are nested too deep; valid: at most {DEEPEST}
 LARGEST_WHOLE = 2**63 - 1  # greatest whole number in a file or on the command line
 _MOST_DOTS = 200  # in a key of TOML, which is read in time that grows with their square
 _NOT_FINITE = re.compile(rb"\b(NaN|Infinity)\b")
-_PATTERN = re.compile(r"Expected `str` matching regex '\\\\A\[(01|a-z)\]\S*'")
-_MATCHING = {"01": "bits, like '10'", "a-z": "a name: a lower-case letter, then a-z, 0-9 and hyphens"}
+_PATTERN = re.compile(r"Expected `str` matching regex '\\\\A[\[(](01|a-z|resting)[^']*'")
+_MATCHING = {
+    "01": "bits, like '10'",
+    "resting": "a kind of end, like 'held'",
+    "a-z": "a name: a lower-case letter, then a-z, 0-9 and hyphens",
+}
 _STRING = re.compile(rb'"[^"\\]*(?:\\.[^"\\]*)*"', re.DOTALL)
 _NO_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
 
@@ -110,9 +114,9 @@ def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = 
     brackets = np.frombuffer(outside.translate(None, _NO_BRACKETS), dtype=np.uint8)
     if np.cumsum(np.where(np.isin(brackets, tuple(b"[{")), 1, -1)).max(initial=0) > DEEPEST:
         raise InvalidFile(path, _TOO_DEEP + remedy)
-    decoding.now = True
     try:
-        return msgspec.json.decode(content, type=kind)
+        with decoding():
+            return msgspec.json.decode(content, type=kind)
     except (msgspec.MsgspecError, UnicodeDecodeError, OverflowError, RecursionError, InvalidValue) as error:
         is_other = isinstance(error, msgspec.ValidationError | InvalidValue)
         words = _PATTERN.sub(lambda found: f"Expected {_MATCHING[found[1]]}", str(error).rstrip("."))
@@ -120,8 +124,6 @@ def decode_json(path: Path, content: bytes, kind: type[Document], remedy: str = 
         if not is_other and (found := _NOT_FINITE.search(outside)):
             said += f"; {found[0].decode()} is no number there"
         raise InvalidFile(path, said + remedy) from error
-    finally:
-        decoding.now = False
 
 
 def read_toml(path: Path, remedy: str = "") -> dict[str, Any]:

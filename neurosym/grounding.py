@@ -2,8 +2,8 @@
 
 import math
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
 from functools import lru_cache
+from itertools import chain
 from pathlib import Path
 from typing import Annotated
 
@@ -13,11 +13,13 @@ import numpy as np
 from neurosym.checks import as_path, check_length
 from neurosym.errors import InvalidValue, UnknownChoice, quoted
 from neurosym.files import MOST_JSON, read_bytes, write_json
+from neurosym.formats import PairFile, PlaceFile
 from neurosym.operators import (
     MIN_CHANCE,
     MIN_TRIALS,
     Category,
     Effect,
+    EffectFrame,
     LegalName,
     Mode,
     Operator,
@@ -27,18 +29,10 @@ from neurosym.operators import (
     Vector,
     Versioned,
     counted_axes,
+    labelled,
     vector,
 )
-from neurosym.pair_operators import (
-    LEAST_SHARE,
-    NEVER_CARRIES,
-    Company,
-    Kept,
-    PairState,
-    PlaceOperators,
-    RelationOperator,
-    RelationOperators,
-)
+from neurosym.pair_operators import NEVER_CARRIES, PairState, RelationOperators
 from neurosym.problems import FORMER_SUFFIX
 from neurosym.regression import remember_fits
 from neurosym.world import Table
@@ -58,7 +52,7 @@ def in_cells(displacement: Effect, cell: float) -> Cells:
     return (x, y, z)
 
 
-# What is needed to plan with a learned domain is the table of operators, and the grid that the PDDL text is
+# What is needed to plan with a learned domain is what operators there are, and the grid that the PDDL text is
 # printed on; no neural network. It is stored as `grounding.json`, next to the domain.
 
 FORMATS = tuple(f"neurosym-grounding-{number}" for number in range(1, 5))
@@ -69,17 +63,17 @@ _Size = Annotated[float, msgspec.Meta(ge=1e-6, le=1e3)]  # [m]
 _REMEMBERED = 8  # groundings of which what follows from them is kept: each object of a problem asks for it
 
 
-class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True):
+class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True, rename={"objects": "operators"}):
     """Everything that planning, replay and execution know of a learned domain."""
 
-    format: str  #: Version of this file
+    format: str  #: Version of its file
     name: LegalName  #: Name of the PDDL domain
     cell: _Size  #: Edge of a grid cell [m]
     table: Table  #: Where objects may stand [m]
     lift_height: _Size  #: How far the hand rises after the last waypoint [m]
-    operators: OperatorTable  #: The table of operators
+    objects: OperatorTable  #: What is done to objects by themselves
     unit_costs: bool = False  #: Whether every step costs the same, instead of the more the rarer it goes well
-    places: PlaceOperators | None = None  #: What carries objects to places, if that was learned
+    places: OperatorTable | None = None  #: What carries objects to places, if that was learned
     #: What puts objects in relations to one another, if that was learned
     relations: RelationOperators | None = None
     readable = FORMATS
@@ -88,13 +82,15 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True):
         super().__post_init__()
         check_length("cell", self.cell)
         check_length("lift_height", self.lift_height)
-        if self.operators.axes != 3:
-            axes = counted_axes(self.operators.axes)
+        if self.objects.axes != 3:
+            axes = counted_axes(self.objects.axes)
             raise InvalidValue(f"The effects of a grounding have {axes}; valid: x, y and z.")
 
     def save(self, path: Path) -> None:
         """Write the grounding to a file, `grounding.json` by custom."""
-        write_json(as_path(path), self)
+        places, pairs = self.places, self.relations
+        parts = msgspec.structs.asdict(self) | {"places": places and PlaceFile.holding(places)}
+        write_json(as_path(path), _File(**parts | {"relations": pairs and PairFile.holding(pairs)}))
 
     @classmethod
     def load(cls, path: Path) -> "Grounding":
@@ -103,79 +99,51 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True):
         return _decoded(path, read_bytes(path, MOST_JSON))
 
     @property
-    def _on_places(self) -> tuple[Operator, ...]:
-        return self.places.operators.operators if self.places else ()
-
-    @property
-    def every_operator(self) -> tuple[Operator, ...]:
-        """All operators on single objects, those that carry them to places last."""
-        return self.operators.operators + self._on_places
-
-    @property
-    def carriers(self) -> tuple[Operator, ...]:
-        """The operators of the domain that carry objects to places, by name."""
-        return tuple(sorted((one for one in self._on_places if one.successes), key=lambda one: one.name))
-
-    def carries(self, operator: Operator) -> bool:
-        """Say whether an operator is one of those that carry objects to places."""
-        return any(one.name == operator.name for one in self._on_places)
+    def operators(self) -> tuple[Operator, ...]:
+        """All operators: on objects, those that carry them to places, and on pairs."""
+        return tuple(_by_name(self).values())
 
     def operator_named(self, name: str) -> Operator:
-        """Return the operator on single objects of that name; `UnknownChoice` if there is none."""
-        if found := next((one for one in self.every_operator if one.name == name), None):
-            return found
-        names = [one.name for one in self.every_operator]
-        names += [one.name for one in self.relations.operators] if self.relations else []
-        raise UnknownChoice("operator", name, names, "`neurosym explain`")
+        """Return the operator of that name; `UnknownChoice` if there is none."""
+        found = _by_name(self)
+        if one := found.get(name) or found.get(name.removesuffix(FORMER_SUFFIX)):
+            return one
+        known = (one.name for one in self.operators if one.subject)
+        raise UnknownChoice("operator", name, known, "`neurosym explain`")
+
+    def operators_on(self, category: Symbol) -> tuple[Operator, ...]:
+        """Return what is done to the objects of a category, by themselves or with places."""
+        return tuple(one for one in self.operators if one.frame != "pair" and one.subject == category)
 
     def operator_for(self, category: Symbol, primitive: Symbol) -> Operator | None:
         """Return what a primitive mostly does to a category, with its surest action; None if never tried."""
         asked = (category, primitive)
-        return next((op for op in self.operators.operators if (op.category, op.primitive) == asked), None)
+        return next((op for op in self.objects.operators if (op.subject, op.primitive) == asked), None)
 
-    def relation_named(self, name: str) -> RelationOperator | None:
-        """Return what puts objects in relations to one another by that name, or None if there is none."""
-        found = self.relations.every_operator if self.relations else ()
-        return next((one for one in found if one.name == name.removesuffix(FORMER_SUFFIX)), None)
-
-    def primitive(self, label: str) -> Primitive:
-        """Return the primitive of that label, like "101b" or "101"; `UnknownChoice` if there is none."""
-        return _labelled(self.operators.primitives, label)
-
-    def primitive_of(self, operator: Operator | RelationOperator) -> Primitive:
+    def primitive_of(self, operator: Operator) -> Primitive:
         """Return the primitive that an operator is performed with."""
-        table: OperatorTable | RelationOperators | None = self.operators
-        if isinstance(operator, RelationOperator):
-            table = self.relations
-        elif self.places and self.carries(operator):
-            table = self.places.operators
-        return _labelled(table.primitives if table else (), operator.label)
+        table = {"object": self.objects, "place": self.places, "pair": self.relations}[operator.frame]
+        return labelled(table.primitives if table else (), operator.label)
 
     @property
     def bearing_states(self) -> tuple[PairState, ...]:
         """The states in which a reference bears its target, in the order of their symbols."""
         return tuple(state for state in self.relations.states if state.bears) if self.relations else ()
 
-    def company(self, operator: Operator) -> Mapping[Company, Kept]:
-        """Return how an operator turned out among others, as far as that was rehearsed."""
-        return self.places.company(operator.name) if self.places else {}
-
-    def takes(self, operator: Operator, how: Company) -> bool:
-        """Say whether an operator carries an object in company; untried, it takes what another one bears."""
-        kept = self.company(operator).get(how)
-        untried = how == "borne" and self.places is not None
-        return kept.share >= LEAST_SHARE if kept and kept.trials else untried
-
     def category(self, symbol: Symbol) -> Category:
         """Return the category with that object symbol; `UnknownChoice` if there is none."""
-        if found := next((one for one in self.operators.categories if one.symbol == symbol), None):
+        if found := next((one for one in self.objects.categories if one.symbol == symbol), None):
             return found
-        raise UnknownChoice("category", symbol, (one.symbol for one in self.operators.categories))
+        raise UnknownChoice("category", symbol, (one.symbol for one in self.objects.categories))
 
     @property
     def live(self) -> tuple[Operator, ...]:
-        """The operators that the PDDL domain has actions for, by name."""
-        return _live(self)
+        """The operators that the PDDL domain has actions for to displace objects, by name."""
+        return self.live_on("object")
+
+    def live_on(self, frame: EffectFrame) -> tuple[Operator, ...]:
+        """Return the operators of the PDDL domain that act on objects, with places, or on pairs, by name."""
+        return _live(self, frame)
 
     @property
     def is_refined(self) -> bool:
@@ -184,28 +152,30 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True):
 
     @property
     def left_out(self) -> dict[str, str]:
-        """Why each of the other operators has none, by name."""
-        reasons = {operator.name: self.why_left_out(operator) for operator in self.operators.operators}
-        return {name: reason for name, reason in sorted(reasons.items()) if reason is not None}
+        """Why operators are not in the PDDL domain, by name."""
+        reasons = {one.name: reason for one in self.operators if (reason := self.why_left_out(one))}
+        return dict(sorted(reasons.items()))
 
     def why_left_out(self, operator: Operator) -> str | None:
         """Say why an operator is not in the PDDL domain, or return None if it is."""
-        if self.carries(operator):
+        if operator.frame == "place":
             return None if operator.successes else NEVER_CARRIES
+        if operator.frame == "pair":
+            return self.relations.left_out.get(operator.name) if self.relations else None
         return self._why_worthless(operator) or _duplicates(self).get(operator.name)
 
     def _why_worthless(self, operator: Operator) -> str | None:
         """Say why an operator is not worth planning with, whatever others there are; None if it is."""
-        toppled = sum(mode.count for mode in operator.modes if mode.kind == "toppled")
+        toppled = sum(mode.count for mode in operator.outcomes if mode.kind == "toppled")
         is_rare, promise = operator.successes < MIN_CHANCE * operator.trials, operator.promise
         if operator.trials < MIN_TRIALS:
-            return f"fewer than {MIN_TRIALS} {self.operators.trials}"
+            return f"fewer than {MIN_TRIALS} {self.objects.trials}"
         if is_rare and 2 * toppled > operator.trials:
             return "topples more often than not"
         if promise is None:
             return "never ends at rest or held"
         if is_rare:
-            trials = f"{operator.trials} {self.operators.trials}"
+            trials = f"{operator.trials} {self.objects.trials}"
             return f"keeps its promise in {operator.successes} of {trials} only"
         if self.cells(operator) == (0, 0, 0):
             return "moves less than half a cell"
@@ -247,24 +217,32 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True):
         return max(in_cells(effect, self.cell)[2] for effect in (self.displacement(operator), *held))
 
 
+class _File(Grounding, frozen=True, rename={"objects": "operators"}):
+    places: PlaceFile | None = None  # type: ignore[assignment]  # as they stand in the file
+    relations: PairFile | None = None  # type: ignore[assignment]
+
+
 @lru_cache(maxsize=2)
 def _decoded(path: Path, content: bytes) -> Grounding:
     """Return the grounding that a file holds; the same one while it holds the same."""
     remedy = f"; `neurosym compile-domain {quoted(path.parent)}` writes it anew"
-    grounding = Grounding.decoded(path, content, remedy)
-    remember_fits(path, content, grounding.every_operator, grounding.operators.categories)
+    parts = msgspec.structs.asdict(_File.decoded(path, content, remedy))
+    tables = {name: parts[name] and parts[name].table() for name in ("places", "relations")}
+    grounding = Grounding(**parts | tables)
+    remember_fits(path, content, grounding.operators, grounding.objects.categories)
     return grounding
 
 
-def _labelled(primitives: Sequence[Primitive], label: str) -> Primitive:
-    if found := next((one for one in primitives if one.label == label), None):
-        return found
-    raise UnknownChoice("primitive", label, (one.label for one in primitives))
+@lru_cache(maxsize=_REMEMBERED)
+def _by_name(grounding: Grounding) -> dict[str, Operator]:
+    tables = (grounding.objects.operators, grounding.places.operators if grounding.places else ())
+    pairs = grounding.relations.every_operator if grounding.relations else ()
+    return {one.name: one for one in chain(*tables, pairs)}
 
 
 @lru_cache(maxsize=_REMEMBERED)
-def _live(grounding: Grounding) -> tuple[Operator, ...]:
-    found = (op for op in grounding.operators.operators if grounding.why_left_out(op) is None)
+def _live(grounding: Grounding, frame: EffectFrame) -> tuple[Operator, ...]:
+    found = (one for one in grounding.operators if one.frame == frame and not grounding.why_left_out(one))
     return tuple(sorted(found, key=lambda operator: operator.name))
 
 
@@ -278,12 +256,12 @@ def _duplicates(grounding: Grounding) -> dict[str, str]:
     """
     kept = defaultdict[tuple[str, str], list[tuple[Operator, tuple[float, ...]]]](list)
     reasons = {}
-    operators = () if grounding.format == FORMATS[0] else grounding.operators.operators
+    operators = () if grounding.format == FORMATS[0] else grounding.objects.operators
     worthy = (one for one in operators if grounding._why_worthless(one) is None)
     for operator in sorted(worthy, key=lambda one: (-one.chance, one.name)):
         promise = _promise(operator)
         own = (*grounding.displacement(operator), *(at_rest(promise) if is_lift(operator) else ()))
-        others = kept[operator.category, promise.kind]
+        others = kept[operator.subject, promise.kind]
         alike = (
             other
             for other, its in others

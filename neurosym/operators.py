@@ -1,20 +1,19 @@
 """Operators: what each primitive does to each category of objects, and how all these are named."""
 
-import math
 import re
 from collections.abc import Callable, Sequence
 from itertools import product
 from pathlib import Path
-from typing import Annotated, ClassVar, Literal, Self
+from typing import Annotated, ClassVar, Literal, Self, get_args
 
 import msgspec
 import numpy as np
 
 from neurosym.checks import Document, Float, check_all, check_callable
 from neurosym.choices import TOLERANCE as TOLERANCE
-from neurosym.errors import InvalidFile, InvalidValue, shortened
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, shortened
 from neurosym.files import MOST_JSON, decode_json, read_bytes
-from neurosym.world import Frame, OutcomeKind
+from neurosym.world import OutcomeKind
 
 _BITS = r"\A[01]{1,64}\Z"
 Symbol = Annotated[str, msgspec.Meta(pattern=_BITS)]
@@ -40,11 +39,6 @@ def all_symbols(bits: int) -> tuple[Symbol, ...]:
     return tuple("".join(code) for code in product("01", repeat=bits))
 
 
-def binarize(embeddings: Float[np.ndarray, "N K"]) -> tuple[Symbol, ...]:
-    """Turn embeddings into symbols by the binary step function (eq. 2): a bit is 1 where the value is > 0."""
-    return tuple("".join("1" if value > 0 else "0" for value in row) for row in embeddings)
-
-
 def signs(symbol: Symbol) -> Float[np.ndarray, "K"]:
     """Write a symbol in tanh's range: +1 for each 1, -1 for each 0."""
     return np.array([1.0 if bit == "1" else -1.0 for bit in symbol])
@@ -52,8 +46,8 @@ def signs(symbol: Symbol) -> Float[np.ndarray, "K"]:
 
 # The table of operators: what each primitive does to each category of objects.
 #
-# This one table is what every PDDL output is printed from, what plans are replayed with, and what execution
-# compares observations against. It is stored in `primitives.json`.
+# Every PDDL output is printed from operators, plans are replayed with them, and execution compares what it
+# observes with what they promise. How they stand in files is told in `neurosym.formats`.
 
 LegalName = Annotated[str, msgspec.Meta(pattern=r"\A[a-z][a-z0-9-]{0,199}\Z")]
 """A name that PDDL takes, and that a terminal and a page show as it is."""
@@ -68,6 +62,18 @@ Variant = Annotated[str, msgspec.Meta(pattern=r"\A[a-z]{0,2}\Z")]
 TABLE_FORMATS = ("neurosym-primitives-1", "neurosym-primitives-2")
 """Versions of tables that can be read; since the second there may be several operators for a pair."""
 TABLE_FORMAT = TABLE_FORMATS[-1]  # the version of tables that are made now
+EffectFrame = Literal["object", "place", "pair"]
+"""What operators act on: an object, seen from where it was; an object that is carried to a place, seen from
+there; or a pair, whose target is seen from its reference in sums of their half sizes."""
+_ENDING = rf"\A({'|'.join(get_args(OutcomeKind))}|[01]{{1,64}})\Z"
+Ending = Annotated[str, msgspec.Meta(pattern=_ENDING)]
+"""How an object ends, one of `OutcomeKind`, or the state that a pair ends in."""
+Subject = Annotated[str, msgspec.Meta(pattern=r"\A[01]{0,64}\Z")]
+Company = Literal["occupied", "beside", "borne", "laden"]
+"""What others there are where an operator is performed: one on the place or the reference, some close around
+the object, one that bears the object, or one that rests on it."""
+LEAST_SHARE = 0.5  # where a third object leaves less than this of what is usual, it is forbidden
+ANY_KIND = ""  # what stands for the kind of pairs where an operator is for pairs of any kind
 _MOST_BITS = 10  # of symbols whose unused codes are listed
 
 
@@ -89,10 +95,11 @@ def smoothed(kept: int, trials: int) -> float:
 
 
 class Mode(Document, frozen=True):
-    """One way that a primitive turns out on a category."""
+    """One way that a primitive turns out on a category, or on a kind of pairs."""
 
-    # how the target ended: at rest upright, held in the air, on another face, or off the table
-    kind: OutcomeKind
+    # how the target ended: at rest upright, held in the air, on another face, or off the table; of a pair the
+    # code of the state that it ended in, or else "missed"
+    kind: Ending
     count: Count  # how many rehearsals ended so, or rows of the data
     share: Share  # the same as a share of all trials of this primitive on this category
     effect: Effect  # mean displacement at the end of the rise [m]
@@ -106,6 +113,13 @@ class Mode(Document, frozen=True):
         super().__post_init__()
         if len({len(self.effect), len(self.spread), len(self.resting_effect), len(self.resting_spread)}) > 1:
             raise InvalidValue("The effects and spreads of a mode must have the same number of axes.")
+        if not re.match(_ENDING, self.kind):
+            raise InvalidValue(f"Mode.kind = {shortened(self.kind)!r}; valid: as 'held', or bits of a state.")
+
+    @property
+    def is_promising(self) -> bool:
+        """Whether operators promise to end so."""
+        return self.kind in PROMISING or self.kind[0] in "01"
 
     @property
     def outcome(self) -> Effect:
@@ -140,6 +154,13 @@ class Primitive(Document, frozen=True, omit_defaults=True):
         return self.code_error < CONVERGED
 
 
+def labelled(primitives: Sequence[Primitive], label: str) -> Primitive:
+    """Return the primitive of that label, like "101b" or "101"; `UnknownChoice` if there is none."""
+    if found := next((one for one in primitives if one.label == label), None):
+        return found
+    raise UnknownChoice("primitive", label, (one.label for one in primitives))
+
+
 class Rehearsal(Document, frozen=True, array_like=True):
     """How a primitive turned out on one object."""
 
@@ -167,21 +188,45 @@ class Category(Document, frozen=True, omit_defaults=True, cache_hash=True):
     objects: tuple[tuple[Length, ...], ...] = ()
 
 
-class Operator(Document, frozen=True, omit_defaults=True, cache_hash=True):
-    """What one primitive does to one category."""
+class Kept(Document, frozen=True):
+    """How an operator turned out where there were other objects."""
 
-    name: LegalName  #: Readable name, a legal PDDL action name, unique in the table
-    category: Symbol  #: Symbol of the category
+    name: LegalName  # name of the operator
+    trials: Count  # how many rehearsals there were
+    kept: Count  # how many ended as promised, on the table, with nothing else moved
+
+    @property
+    def share(self) -> float:
+        """The share that ended so; 1 if there were no rehearsals."""
+        return self.kept / self.trials if self.trials else 1.0
+
+    @property
+    def chance(self) -> float:
+        """The chance that it ends so; 1 if there were no rehearsals."""
+        return smoothed(self.kept, self.trials) if self.trials else 1.0
+
+
+_UNTRIED = Kept("untried", 0, 0)
+_KEYS = {"subject": "category", "outcomes": "modes"}
+
+
+class Operator(Document, frozen=True, omit_defaults=True, cache_hash=True, rename=_KEYS):
+    """What one primitive does to one category of objects, or to pairs of one kind."""
+
+    name: LegalName  #: Readable name, a legal PDDL action name, unique in the domain
+    subject: Subject  #: Symbol of the category, or of the kind of pairs; `ANY_KIND` for pairs of any kind
     primitive: Symbol  #: Symbol of the primitive
     trials: Count  #: How many rehearsals there were on objects as the world draws them, or rows of the data
-    modes: tuple[Mode, ...]  #: The outcomes seen in these, most frequent first
-    promised: OutcomeKind | None = None  #: How it promises to end; None for the most frequent of `PROMISING`
+    outcomes: tuple[Mode, ...]  #: The outcomes seen in these, most frequent first
+    promised: Ending | None = None  #: How it promises to end; None for the most frequent promising end
     variant: Variant = ""  #: Which of the parameters of its primitive it is performed with
     #: How it turned out on each of the `objects` of its category, if that is kept, first in its trials, then
     #: on objects that were chosen since it was unsure what happens to them
     rehearsals: tuple[Rehearsal, ...] = ()
     #: Features of the objects that it was rehearsed on, if they are others than those
     objects: tuple[tuple[Length, ...], ...] = ()
+    frame: EffectFrame = "object"  #: What it acts on, and effects are relative to
+    company: tuple[tuple[Company, Kept], ...] = ()  #: How it turned out among others, as far as rehearsed
 
     @property
     def label(self) -> str:
@@ -190,19 +235,40 @@ class Operator(Document, frozen=True, omit_defaults=True, cache_hash=True):
 
     @property
     def promise(self) -> Mode | None:
-        """The mode the operator promises; None if it never ends so."""
-        kinds = (self.promised,) if self.promised else PROMISING
-        return next((mode for mode in self.modes if mode.kind in kinds), None)
+        """The outcome the operator promises; None if it never ends so."""
+        asked = self.promised
+        found = (one for one in self.outcomes if (one.kind == asked if asked else one.is_promising))
+        return next(found, None)
 
     @property
     def successes(self) -> int:
-        """Trials that ended in the promised mode, within the planning tolerance of its mean."""
+        """Trials that ended as promised, for an object within the planning tolerance of the mean."""
         return self.promise.near_mean if self.promise else 0
 
     @property
     def chance(self) -> float:
         """The chance that a step goes as promised, from its rehearsals."""
         return smoothed(self.successes, self.trials)
+
+    @property
+    def case(self) -> tuple[str, ...]:
+        """How it promises to end, and what company it takes."""
+        return (self.promise.kind if self.promise else "", *filter(self.takes, get_args(Company)))
+
+    def is_for(self, kind: Symbol | None) -> bool:
+        """Say whether it is for objects of a category, or for pairs of a kind."""
+        return self.subject in (ANY_KIND, kind)
+
+    def among(self, how: Company) -> Kept:
+        """Return how it turned out in company; there may have been no rehearsals."""
+        return dict(self.company).get(how, _UNTRIED)
+
+    def takes(self, how: Company) -> bool:
+        """Say whether it is planned with in company; untried, what another one bears is carried to places."""
+        usual, kept = (self.promise.share if self.frame == "pair" and self.promise else 1.0), self.among(how)
+        if not kept.trials:
+            return (self.frame, how) == ("place", "borne")
+        return kept.share >= LEAST_SHARE * usual
 
 
 class Versioned(Document, frozen=True):
@@ -251,8 +317,8 @@ class OperatorTable(Versioned, frozen=True, omit_defaults=True):
     #: By primitive, then category, the surest first; pairs that were never tried are missing. In a grounding,
     #: those that promise other outcomes than the likeliest come last
     operators: tuple[Operator, ...]
-    #: What the modes were measured by, rehearsals of the distilled actions, or averages over the rows of the
-    #: data whose action has the primitive's symbol, where there is no world to rehearse in
+    #: What the outcomes were measured by, rehearsals of the distilled actions, or averages over the rows of
+    #: the data whose action has the primitive's symbol, where there is no world to rehearse in
     measured: Literal["rehearsal", "data"] = "rehearsal"
     format: str = TABLE_FORMATS[0]  #: Version of this table
     readable = TABLE_FORMATS
@@ -291,10 +357,10 @@ class OperatorTable(Versioned, frozen=True, omit_defaults=True):
 
     @property
     def _widths(self) -> set[int]:
-        return {len(mode.effect) for operator in self.operators for mode in operator.modes}
+        return {len(mode.effect) for operator in self.operators for mode in operator.outcomes}
 
 
-# Names that a person can read, for categories and operators, from what was measured.
+# Names that a person can read, for operators, from what was measured.
 #
 # Forward is +x (away from the robot), back is -x, left is +y. A name ends with the bits it stands for, so
 # that it is unique, and matches `[a-z][a-z0-9-]*`, so that it is legal in PDDL.
@@ -302,32 +368,6 @@ class OperatorTable(Versioned, frozen=True, omit_defaults=True):
 CARRIED = 0.02  # least height on the way of an object that was carried and not pushed [m]
 NO_EFFECT = 0.01  # displacements below this are none [m]
 _DIAGONAL = 0.5  # least share of the lesser axis in the greater that is worth a word
-_CONTRAST = 0.1  # least relative difference to the other categories that is worth a word
-_SURE = 0.75  # least share of one type that is worth a word
-
-
-def name_categories(
-    symbols: Sequence[Symbol], means: Float[np.ndarray, "L F"], feature_names: Sequence[str]
-) -> tuple[str, ...]:
-    """Name categories by what sets each apart from the others: `hollow-low-10`, `solid-wide-01`, `any-11`.
-
-    Of the mean features those named s_x, s_y, d and t are used; of t, the mean is the share that is hollow.
-    """
-    columns = {name: means[:, number] for number, name in enumerate(feature_names)}
-    names = []
-    for row, symbol in enumerate(symbols):
-        words = ["kind"]
-        if "t" in columns:
-            share = columns["t"][row]
-            words = ["hollow" if share >= _SURE else "solid" if share <= 1 - _SURE else "any"]
-        for parts, less, more in ((("d",), "low", "tall"), (("s_x", "s_y"), "narrow", "wide")):
-            if all(part in columns for part in parts):
-                values = np.sum([columns[part] for part in parts], axis=0)
-                usual = np.delete(values, row).mean() if len(values) > 1 else 0.0
-                ratio = values[row] / usual if usual else 1.0
-                words.append(less if ratio < 1 - _CONTRAST else more if ratio > 1 + _CONTRAST else "")
-        names.append("-".join([*filter(None, words), symbol]))
-    return tuple(names)
 
 
 def names_of_features(count: int, given: Sequence[str] = ()) -> tuple[str, ...]:
@@ -347,7 +387,7 @@ def counted_axes(count: int) -> str:
 
 def name_operator(primitive: str, category_name: str, modes: Sequence[Mode]) -> str:
     """Name an operator by what it does: `push-left-101b-hollow-low-10`."""
-    promised = next((mode for mode in modes if mode.kind in PROMISING), modes[0])
+    promised = next((mode for mode in modes if mode.is_promising), modes[0])
     return f"{verb(promised)}-{primitive}-{category_name}"
 
 
@@ -368,28 +408,3 @@ def verb(mode: Mode) -> str:
     if mode.peak_height > CARRIED:
         return f"place-{way}"
     return f"push-{way}".replace("push-back", "pull")
-
-
-# Dots that mark the waypoints of an action in a picture, as in the paper: blue, green, red
-
-DOT_COLOURS = ((31, 98, 224), (30, 160, 70), (222, 40, 45))
-"""Of waypoints 1, 2 and 3: where the motion starts, its middle, its end."""
-_RIM, _RIM_COLOUR = 0.25, (255, 255, 255)  # the rim's width, as a share of the radius, and its colour
-
-
-def draw_dots(frame: Frame, places: Float[np.ndarray, "N 2"], radius: float) -> Frame:
-    """Draw a round dot with a white rim at each place, smooth at its edge; later dots lie on earlier ones.
-
-    Centres count rightwards and downwards from the upper left corner; the radius is without the rim [pixels].
-    """
-    picture = frame.copy()
-    for number, (x, y) in enumerate(places.tolist()):
-        colour = DOT_COLOURS[number % len(DOT_COLOURS)]
-        for reach, paint in (((1 + _RIM) * radius, _RIM_COLOUR), (radius, colour)):
-            top, left = (max(0, math.floor(middle - reach - 1)) for middle in (y, x))
-            part = picture[top : max(0, math.ceil(y + reach + 1)), left : max(0, math.ceil(x + reach + 1))]
-            rows, columns = np.indices(part.shape[:2]) + 0.5
-            distance = np.hypot(columns + left - x, rows + top - y)
-            cover = np.clip(reach - distance + 0.5, 0, 1)[:, :, None]  # (rows, columns, 1)
-            part[:] = np.rint((1 - cover) * part + cover * np.array(paint, dtype=np.uint8))
-    return picture

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from itertools import compress
-from typing import Annotated, Literal, get_args
+from typing import Annotated
 
 import msgspec
 import numpy as np
@@ -12,71 +12,33 @@ import numpy as np
 from neurosym.checks import Document, Float
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.operators import (
+    ANY_KIND,
     MIN_TRIALS,
     Category,
-    Count,
+    Company,
+    Kept,
     LegalName,
     Length,
-    OperatorTable,
+    Mode,
+    Operator,
     Primitive,
     Share,
     Symbol,
-    Variant,
     Vector,
     Versioned,
-    smoothed,
     vector,
 )
 from neurosym.world import Scene
 
-PLACES_FORMAT = "neurosym-places-1"
 NEVER_CARRIES = "never carries"  # why an operator is not in the domain
-
-
-class Kept(Document, frozen=True):
-    """How an operator turned out where there were other objects."""
-
-    name: LegalName  # name of the operator
-    trials: Count  # how many rehearsals there were
-    kept: Count  # how many ended as promised, on the table, with nothing else moved
-
-    @property
-    def share(self) -> float:
-        """The share that ended so; 1 if there were no rehearsals."""
-        return self.kept / self.trials if self.trials else 1.0
-
-
-Company = Literal["occupied", "beside", "borne", "laden"]
-"""What others there are where an operator is performed: one on the place or the reference, some close around
-the object, one that bears the object, or one that rests on it."""
 Case = frozenset[Company]  # the company that there is, if any
-_OF_PAIRS: tuple[Company, ...] = ("borne", "occupied", "laden")
-LEAST_SHARE = 0.5  # where a third object leaves less than this of what is usual, it is forbidden
+OF_PAIRS: tuple[Company, ...] = ("borne", "occupied", "laden")
+"""In which company operators on pairs were rehearsed."""
 
 
 def case_of(borne: bool, occupied: bool, laden: bool) -> Case:
     """Return the case of a pair: a third object bears the target, is on the reference, or on the target."""
-    return frozenset(compress(_OF_PAIRS, (borne, occupied, laden)))
-
-
-class PlaceOperators(Versioned, frozen=True):
-    """Operators that carry objects to places, and promise where these stand relative to the place."""
-
-    operators: OperatorTable  # what each primitive does to each category; effects are relative to the place
-    occupied: tuple[Kept, ...] = ()  # how they turned out where another object stood on the place
-    beside: tuple[Kept, ...] = ()  # how they turned out where others stood close around the object
-    format: str = PLACES_FORMAT  # version of this table
-    # how they turned out where the object rested on another one
-    borne: tuple[Kept, ...] | msgspec.UnsetType = msgspec.UNSET
-    # how they turned out where another one rested on the object; kept if that went along
-    laden: tuple[Kept, ...] | msgspec.UnsetType = msgspec.UNSET
-    readable = (PLACES_FORMAT,)
-
-    def company(self, name: str) -> dict[Company, Kept]:
-        """Return how an operator turned out among others, where that was rehearsed."""
-        tables = (self.occupied, self.beside, self.borne, self.laden)
-        rows = zip(get_args(Company), tables, strict=True)
-        return {how: one for how, table in rows for one in table or () if one.name == name}
+    return frozenset(compress(OF_PAIRS, (borne, occupied, laden)))
 
 
 # How one object stands to another, in numbers that do not depend on how large the two are.
@@ -142,7 +104,6 @@ def rotation(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:
 # A pair is a target and a reference, in this order. Its kind says what it is (what carries, what fits), its
 # state how the two stand. Both are codes of learned bits; their names are made from what was measured.
 
-RELATIONS_FORMAT = "neurosym-relations-2"
 _TOUCHING, _TILTED = DESCRIPTION.index("touching"), DESCRIPTION.index("tilted")
 _CERTAIN = 0.9
 ALIKE = 4
@@ -150,7 +111,6 @@ ALIKE = 4
 SELDOM = 0.03
 """An operator promises a state if this share of its kind's pairs or more ends so, besides the most frequent
 state. With some of them it may be foreseen to do so surely."""
-ANY_KIND = ""  # what stands for the kind of pairs where an operator is for pairs of any kind
 Description = Annotated[tuple[Length, ...], msgspec.Meta(min_length=5, max_length=5)]
 """How a target stands to a reference, as numbers; see `neurosym.pair_operators.describe_pair`."""
 
@@ -207,63 +167,18 @@ class PairStates(Versioned, frozen=True):
         return math.hypot(*((one - centre) / scale for one, centre, scale in rows))
 
 
-class PairEnd(Document, frozen=True):
-    """One way in which an operator turns out on pairs of a kind."""
+def pair_end(state: str, count: int, share: float, offset: Vector, spread: Vector) -> Mode:
+    """Return one way in which an operator turns out on pairs of a kind.
 
-    state: str  # code of the state that the pair ends in; empty if the target was not carried there
-    count: Count  # how many rehearsals ended so, with nothing else moved
-    share: Share  # the same as a share of all rehearsals
-    offset: Vector  # mean position of the target relative to the reference, in sums of their half sizes
-    spread: Vector  # standard deviation of that, each axis
-
-
-class RelationOperator(Document, frozen=True):
-    """What one primitive does to pairs of one kind."""
-
-    name: LegalName  # readable name, a legal PDDL action name, unique in the table
-    pair: Annotated[str, msgspec.Meta(pattern=r"\A[01]{0,64}\Z")]  # code of the kind of pair, or `ANY_KIND`
-    primitive: Symbol  # symbol of the primitive
-    trials: Count  # how many rehearsals there were
-    ends: tuple[PairEnd, ...]  # what was seen in these, most frequent first
-    borne: Kept  # how it turned out where the target rested on a third object at first
-    occupied: Kept  # how it turned out where a third object rested on the reference
-    laden: Kept  # how it turned out where a third object rested on the target; kept if that went along
-    variant: Variant = ""  # which of the parameters of its primitive it is performed with
-    promised: str = ""  # code of the state that it promises, where that is not the most frequent one
-
-    @property
-    def label(self) -> str:
-        """The action symbol and the variant, like "101" or "101b"."""
-        return self.primitive + self.variant
-
-    @property
-    def company(self) -> dict[Company, Kept]:
-        """How it turned out among others."""
-        return {how: getattr(self, how) for how in _OF_PAIRS}
-
-    @property
-    def case(self) -> tuple[str, ...]:
-        """What it does to its kind of pairs, and what company it takes."""
-        return (self.promise.state if self.promise else "", *filter(self.takes, self.company))
-
-    @property
-    def chance(self) -> float:
-        """The chance that it keeps its promise, by what was seen with its kind of pairs."""
-        return smoothed(self.promise.count if self.promise else 0, self.trials)
-
-    def is_for(self, kind: Symbol | None) -> bool:
-        """Say whether it is for pairs of a kind."""
-        return self.pair in (ANY_KIND, kind)
-
-    def takes(self, how: Company) -> bool:
-        """Say whether it is planned with in company: not where that was never tried."""
-        kept, promise = self.company[how], self.promise
-        return bool(promise and kept.trials and kept.share >= LEAST_SHARE * promise.share)
-
-    @property
-    def promise(self) -> PairEnd | None:
-        """The end in the state that it promises, or else the most frequent; None if it never gets there."""
-        return next((end for end in self.ends if end.state and self.promised in ("", end.state)), None)
+    Args:
+        state: Code of the state that the pair ends in; empty if the target was not carried there.
+        count: How many rehearsals ended so, with nothing else moved.
+        share: The same as a share of all rehearsals.
+        offset: Mean position of the target relative to the reference, in sums of their half sizes.
+        spread: Standard deviation of that, each axis.
+    """
+    where = (offset, spread, offset, spread)
+    return Mode(state or "missed", count, share, *where, peak_height=0.0, near_mean=count)
 
 
 class RelationOperators(PairStates, frozen=True, cache_hash=True):
@@ -272,12 +187,10 @@ class RelationOperators(PairStates, frozen=True, cache_hash=True):
     # kinds of pairs, in the order of their symbols; features of the target come first
     pairs: tuple[Category, ...]
     primitives: tuple[Primitive, ...]  # in the order of their symbols
-    operators: tuple[RelationOperator, ...]  # by primitive, then kind of pair
-    format: str = RELATIONS_FORMAT  # version of this table
-    readable = (RELATIONS_FORMAT,)
+    operators: tuple[Operator, ...]  # by primitive, then kind of pair
 
     @property
-    def every_operator(self) -> tuple[RelationOperator, ...]:
+    def every_operator(self) -> tuple[Operator, ...]:
         """All operators, those for pairs of any kind last; see `pooled`."""
         return self.operators + pooled(self)
 
@@ -285,10 +198,6 @@ class RelationOperators(PairStates, frozen=True, cache_hash=True):
     def left_out(self) -> Mapping[str, str]:
         """Why operators are not in the domain, by name."""
         return _left_out(self)
-
-    def primitive_of(self, operator: RelationOperator) -> Primitive:
-        """Return the primitive that an operator is performed with."""
-        return next(one for one in self.primitives if one.label == operator.label)
 
     def state_named(self, name: str) -> PairState:
         """Return the state of that name or symbol; `UnknownChoice` if there is none."""
@@ -306,24 +215,24 @@ class RelationOperators(PairStates, frozen=True, cache_hash=True):
 
 @lru_cache(maxsize=8)
 def _left_out(table: RelationOperators) -> Mapping[str, str]:
-    found, alike = dict[str, str](), dict[tuple[str, ...], list[RelationOperator]]()
+    found, alike = dict[str, str](), dict[tuple[str, ...], list[Operator]]()
     for one in table.operators:
         if reason := _why_worthless(one, table):
             found[one.name] = reason
         else:
-            alike.setdefault((one.pair, *one.case), []).append(one)
+            alike.setdefault((one.subject, *one.case), []).append(one)
     for others in alike.values():
         surest, *rest = sorted(others, key=lambda one: (one.chance, one.name), reverse=True)
         found |= {one.name: f"does less surely what {surest.name} does" for one in rest[ALIKE - 1 :]}
     return found
 
 
-def _why_worthless(operator: RelationOperator, table: RelationOperators) -> str | None:
+def _why_worthless(operator: Operator, table: RelationOperators) -> str | None:
     if operator.trials < MIN_TRIALS:
         return f"fewer than {MIN_TRIALS} rehearsals"
     if operator.promise is None:
         return "never carries its target to the reference"
-    state = table.state_named(operator.promise.state)
+    state = table.state_named(operator.promise.kind)
     if not state.bears:
         return "ends in a state in which the reference bears nothing"
     if state.leans:
@@ -362,40 +271,39 @@ that it can be done."""
 
 
 @lru_cache(maxsize=8)
-def pooled(table: RelationOperators) -> tuple[RelationOperator, ...]:
+def pooled(table: RelationOperators) -> tuple[Operator, ...]:
     """Make of each primitive's operators for the same state one for pairs of any kind."""
-    found = dict[tuple[str, str], list[tuple[RelationOperator, PairEnd]]]()
+    found = dict[tuple[str, str], list[tuple[Operator, Mode]]]()
     for one in table.operators:
-        if one.promise is not None and one.promise.state in table.straight:
-            found.setdefault((one.label, one.promise.state), []).append((one, one.promise))
+        if one.promise is not None and one.promise.kind in table.straight:
+            found.setdefault((one.label, one.promise.kind), []).append((one, one.promise))
     return tuple(
         _pooled(f"{table.state_named(state).name}-by-{label}", rows) for (label, state), rows in found.items()
     )
 
 
-def _pooled(name: str, rows: list[tuple[RelationOperator, PairEnd]]) -> RelationOperator:
+def _pooled(name: str, rows: list[tuple[Operator, Mode]]) -> Operator:
     first, end = rows[0]
     trials, count = sum(one.trials for one, _ in rows), sum(end.count for _, end in rows)
     weights = np.array([end.count for _, end in rows]) / count
-    offsets, spreads = (np.array([getattr(end, what) for _, end in rows]) for what in ("offset", "spread"))
+    offsets, spreads = (np.array([getattr(end, what) for _, end in rows]) for what in ("effect", "spread"))
     mean = weights @ offsets
     spread = np.sqrt(weights @ (spreads**2 + (offsets - mean) ** 2))
 
-    def kept(how: Company) -> Kept:
-        every = [one.company[how] for one, _ in rows]
-        return Kept(name, sum(one.trials for one in every), sum(one.kept for one in every))
+    def kept(how: Company) -> tuple[Company, Kept]:
+        every = [one.among(how) for one, _ in rows]
+        return how, Kept(name, sum(one.trials for one in every), sum(one.kept for one in every))
 
-    where = vector(mean.round(4)), vector(spread.round(4))
-    return RelationOperator(
+    outcome = pair_end(end.kind, count, count / trials, vector(mean.round(4)), vector(spread.round(4)))
+    return Operator(
         name,
         ANY_KIND,
         first.primitive,
         trials,
-        (PairEnd(end.state, count, count / trials, *where),),
-        borne=kept("borne"),
-        occupied=kept("occupied"),
-        laden=Kept(name, 0, 0),
+        (outcome,),
         variant=first.variant,
+        frame="pair",
+        company=(kept("borne"), kept("occupied")),  # nothing that rests on a target goes along
     )
 
 

@@ -267,7 +267,7 @@ def remember_fits(
     by_symbol = {category.symbol: category for category in categories}
     for operator in operators:
         if choice := fits.choices.get(operator.name):
-            _found[operator.name] = (operator, by_symbol.get(operator.category), choice)
+            _found[operator.name] = (operator, by_symbol.get(operator.subject), choice)
 
 
 def found_for(operator: Operator, category: Category) -> Choice | None:

@@ -55,7 +55,7 @@ columns = usually(
     **{name: np.zeros((3, 3)) for name in ("effects", "resting_effects")},
     **{flag: np.zeros(3, dtype=bool) for flag in ("held", "toppled", "lost")},
 )
-operator = usually(ns.Operator, name="push-0-any-0", category="0", primitive="0", trials=9, modes=(mode(),))
+operator = usually(ns.Operator, name="push-0-any-0", subject="0", primitive="0", trials=9, outcomes=(mode(),))
 PRIMITIVE = ns.Primitive("0", (0.0,) * 12, 0.0)
 CATEGORY = ns.Category("0", "any-0", 1.0, (0.05,) * 4, (0.0,) * 4)
 TABLE = ns.OperatorTable((CATEGORY,), (PRIMITIVE,), (operator(),))

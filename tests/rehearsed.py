@@ -17,10 +17,10 @@ _ROWS = 20
 def grounding(cell: float = 0.005) -> Grounding:
     """Have wider blocks pushed farther and lifted less high, and the widest not be pushed away at all."""
     learned = tables.grounding(cell)
-    table = learned.operators
+    table = learned.objects
     categories, operators = map(_with_objects, table.categories), map(_with_rows, table.operators)
     table = msgspec.structs.replace(table, categories=tuple(categories), operators=tuple(operators))
-    return msgspec.structs.replace(learned, operators=table)
+    return msgspec.structs.replace(learned, objects=table)
 
 
 def item(name: str, x: float, y: float, size: float, *, category: str = "00") -> SceneObject:

@@ -56,9 +56,9 @@ def grounding(cell: float = 0.005) -> Grounding:
 def with_modes(name: str, *modes: Mode, learned: Grounding | None = None) -> Grounding:
     """A domain, this one if none is given, in which one operator turned out so."""
     learned = learned or grounding()
-    table = learned.operators
-    changed = (replace(one, modes=modes) if one.name == name else one for one in table.operators)
-    return replace(learned, operators=replace(table, operators=tuple(changed)))
+    table = learned.objects
+    changed = (replace(one, outcomes=modes) if one.name == name else one for one in table.operators)
+    return replace(learned, objects=replace(table, operators=tuple(changed)))
 
 
 def item(name: str, x: float, y: float, *, category: str = "00", height: float = 0.05) -> SceneObject:

@@ -15,9 +15,9 @@ LEFT = (0.0021, 0.0832, 0.0)  # what push-left-000-block promises
 
 def with_another(operator: Operator, form: str = NEWER) -> Grounding:
     learned = grounding()
-    table = learned.operators
+    table = learned.objects
     table = msgspec.structs.replace(table, operators=(*table.operators, operator))
-    return msgspec.structs.replace(learned, format=form, operators=table)
+    return msgspec.structs.replace(learned, format=form, objects=table)
 
 
 def push(name: str, effect=LEFT, *, near: int = 18, category: str = "00") -> Operator:
@@ -60,8 +60,8 @@ def test_duplicates_among_hundreds_of_operators_are_found_as_by_comparing_all_pa
     rng = np.random.default_rng(0)
     draws = ((*rng.uniform(-0.06, 0.06, 2).tolist(), int(rng.integers(10, 21))) for _ in range(500))
     many = tuple(push(f"push-{n}", (x, y, 0.0), near=near) for n, (x, y, near) in enumerate(draws))
-    table = msgspec.structs.replace(grounding().operators, operators=many)
-    learned = msgspec.structs.replace(grounding(), format=NEWER, operators=table)
+    table = msgspec.structs.replace(grounding().objects, operators=many)
+    learned = msgspec.structs.replace(grounding(), format=NEWER, objects=table)
     kept = [one["name"] for one in domain_operators(read_text(msgspec.json.encode(learned).decode()))]
     assert 100 < len(kept) < 490
     assert {operator.name for operator in learned.live} == {*kept}

@@ -15,11 +15,11 @@ from neurosym.operators import (
     Primitive,
     counted_axes,
     name_axes,
-    name_categories,
     name_operator,
     verb,
 )
 from neurosym.pddl import compile_domain
+from neurosym.primitives.rehearsal import name_categories
 from neurosym.world import Table
 
 

@@ -27,14 +27,14 @@ def rehearsed(count: int = 40, cliff: float = math.inf) -> Grounding:
     objects = tuple((width, 0.05, 0.05, 0.0) for width in widths)
     away = [(("toppled" if width > cliff else "resting"), (width, 0.0, 0.0)) for width in widths]
     rows = tuple(Rehearsal(kind, by, by, 0.0, 0.0) for kind, by in away)
-    table = learned.operators
+    table = learned.objects
     categories = tuple(
         replace(one, objects=objects) if one.symbol == "00" else one for one in table.categories
     )
     operators = tuple(
         replace(one, rehearsals=rows, trials=count) if one.name == AWAY else one for one in table.operators
     )
-    return replace(learned, operators=replace(table, categories=categories, operators=operators))
+    return replace(learned, objects=replace(table, categories=categories, operators=operators))
 
 
 def block(width: float) -> SceneObject:

@@ -75,7 +75,7 @@ def test_text_is_what_the_compiler_prints_from_the_table(name):
     for problem in list(problems_of(name).values())[:6]:
         for file, text in texts_of(problem, grounding, recorded_plans(folder, problem, grounding)).items():
             assert (folder / file).read_text() == text
-    assert grounding.operators == with_every_outcome(OperatorTable.load(folder / "primitives.json"))
+    assert grounding.objects == with_every_outcome(OperatorTable.load(folder / "primitives.json"))
 
 
 @pytest.mark.parametrize(

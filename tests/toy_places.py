@@ -2,9 +2,9 @@
 
 import toy_domain
 
+from neurosym.formats import PlaceFile
 from neurosym.grounding import Grounding
-from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
-from neurosym.pair_operators import Kept, PlaceOperators
+from neurosym.operators import Category, Kept, Mode, Operator, OperatorTable, Primitive
 from neurosym.problems import Problem, SceneObject
 
 CARRY = (0, 0, 0, 1.0, 0.01, 0, 0, 0.0, 0.03, -0.02, 0, 0.0)
@@ -31,7 +31,7 @@ def grounding(cell: float = 0.02) -> Grounding:
         for way, symbol, by in (("left", "001", (0.0, 0.08, 0.0)), ("forward", "010", (0.08, 0.0, 0.0)))
     )
     primitives = (Primitive("001", toy_domain.LEFT, 0.0), Primitive("010", toy_domain.FORWARD, 0.0))
-    places = PlaceOperators(carriers, (Kept(NAME, 10, 0),))
+    places = PlaceFile(carriers, (Kept(NAME, 10, 0),)).table()
     return toy_domain.compiled(OperatorTable((cube, slab), primitives, pushes), cell, places=places)
 
 

@@ -8,15 +8,8 @@ import msgspec
 import toy_domain
 
 from neurosym.grounding import Grounding
-from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
-from neurosym.pair_operators import (
-    Kept,
-    PairEnd,
-    PairState,
-    PlaceOperators,
-    RelationOperator,
-    RelationOperators,
-)
+from neurosym.operators import Category, Company, Kept, Mode, Operator, OperatorTable, Primitive
+from neurosym.pair_operators import PairState, RelationOperators, pair_end
 from neurosym.problems import Problem, SceneObject
 from neurosym.world import World
 from neurosym.worlds.toy_relations import ToyRelations
@@ -46,22 +39,23 @@ def relations() -> RelationOperators:
         Category("10", "tray-10", 0.4, (*TRAY, *mean), (0.0,) * 8),
         Category("11", "hollow-11", 0.2, (*mean, *TRAY), (0.0,) * 8),
     )
-    on, lying = PairEnd(ON, 19, 0.95, (0.0, 0.0, 1.0), nothing), PairEnd(IN, 20, 1.0, (0, 0, 0.09), nothing)
+    on, lying = pair_end(ON, 19, 0.95, (0.0, 0.0, 1.0), nothing), pair_end(IN, 20, 1.0, (0, 0, 0.09), nothing)
     return RelationOperators(
         states,
         (0.5, 0.3, 0.1, 0.1, 0.1),
         kinds,
         (Primitive("01", CARRY, 0.0),),
         (
-            RelationOperator(PUT_ON, "01", "01", 20, (on,), *_kept(PUT_ON, borne=10, occupied=0, laden=9)),
-            RelationOperator(PUT_IN, "11", "01", 20, (lying,), *_kept(PUT_IN, borne=10, occupied=8, laden=9)),
-            RelationOperator("miss-01-tray-10", "10", "01", 20, (), *_kept("miss", 0, 0, 0)),
+            _on_pairs(PUT_ON, "01", on, borne=10, occupied=0, laden=9),
+            _on_pairs(PUT_IN, "11", lying, borne=10, occupied=8, laden=9),
+            _on_pairs("miss-01-tray-10", "10", borne=0, occupied=0, laden=0),
         ),
     )
 
 
-def _kept(name: str, borne: int, occupied: int, laden: int) -> tuple[Kept, Kept, Kept]:
-    return Kept(name, 10, borne), Kept(name, 10, occupied), Kept(name, 10, laden)
+def _on_pairs(name: str, kind: str, *ends: Mode, **kept: int) -> Operator:
+    company = tuple((how, Kept(name, 10, count)) for how, count in kept.items())
+    return Operator(name, kind, "01", 20, ends, frame="pair", company=company)
 
 
 def grounding(world: World = WORLD) -> Grounding:
@@ -71,16 +65,16 @@ def grounding(world: World = WORLD) -> Grounding:
     )
     nothing = (0.0, 0.0, 0.0)
     carried = Mode("carried", 20, 1.0, nothing, nothing, nothing, nothing, 0.2, 20)
-    operators = tuple(
-        Operator(f"carry-to-01-{category.name}", category.symbol, "01", 20, (carried,))
-        for category in categories
-    )
-    carriers = OperatorTable(categories, (Primitive("01", CARRY, 0.0),), operators)
-    nearly_always = tuple(Kept(one.name, 10, 9) for one in operators)
-    never = tuple(Kept(one.name, 10, 0) for one in operators)
-    places = PlaceOperators(carriers, never, borne=nearly_always, laden=nearly_always)
+    kept: dict[Company, int] = {"occupied": 0, "borne": 9, "laden": 9}
+    operators = []
+    for category in categories:
+        name = f"carry-to-01-{category.name}"
+        company = tuple((how, Kept(name, 10, count)) for how, count in kept.items())
+        told = name, category.symbol, "01", 20, (carried,)
+        operators.append(Operator(*told, frame="place", company=company))
+    carriers = OperatorTable(categories, (Primitive("01", CARRY, 0.0),), tuple(operators))
     empty = OperatorTable(categories, (), ())
-    return toy_domain.compiled(empty, 0.02, world, places=places, relations=relations())
+    return toy_domain.compiled(empty, 0.02, world, places=carriers, relations=relations())
 
 
 def scene(*objects: tuple[str, float, float] | tuple[str, float, float, float]) -> tuple[SceneObject, ...]:
@@ -122,6 +116,6 @@ def relearned(name: str, learned: Grounding | None = None, **changes: int) -> Gr
     table = learned.relations
     assert table is not None
     one = next(one for one in table.operators if one.name == name)
-    cases = {case: replace(getattr(one, case), trials=10, kept=kept) for case, kept in changes.items()}
-    operators = tuple(replace(other, **cases) if other is one else other for other in table.operators)
+    company = tuple((how, Kept(name, 10, changes.get(how, kept.kept))) for how, kept in one.company)
+    operators = tuple(replace(other, company=company) if other is one else other for other in table.operators)
     return replace(learned, relations=replace(table, operators=operators))

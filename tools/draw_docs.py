@@ -10,7 +10,6 @@ from xml.sax.saxutils import escape
 
 import numpy as np
 
-from neurosym.colours import Palette
 from neurosym.grounding import Grounding
 from neurosym.learning.network import EffectModel
 from neurosym.problems import Problem, SceneObject
@@ -18,6 +17,7 @@ from neurosym.report.symbol_map import atlas_of
 from neurosym.report.symbol_sheet import symbol_sheet
 from neurosym.report.symbols import displacement_in_words
 from neurosym.stages.verdicts import wilson
+from neurosym.world import Palette
 from neurosym.worlds.world_file import read_world
 
 ROOT = Path(__file__).parent.parent
@@ -89,7 +89,7 @@ def shipped() -> tuple[Grounding, Problem, SceneObject, Palette]:
     """Read the domain, the task, the object that its plan moves, and the colours of categories."""
     grounding = Grounding.load(DOMAIN / "grounding.json")
     problem = Problem.load(DOMAIN / f"problems/{TASK}.scene.json")
-    return grounding, problem, problem.object_named(ITEM), Palette.of(grounding.operators.categories)
+    return grounding, problem, problem.object_named(ITEM), Palette.of(grounding.objects.categories)
 
 
 @picture(368, "A network that predicts effects through a few bits")
@@ -97,7 +97,7 @@ def learning() -> Iterator[str]:
     """Draw the network with its true sizes, and what it says of one action on one object."""
     model, trained = EffectModel.load(DOMAIN / "effect_model.safetensors"), DOMAIN / "training.json"
     grounding, _, item, palette = shipped()
-    (primitive,) = [one for one in grounding.operators.primitives if one.label == MOTION]
+    (primitive,) = [one for one in grounding.objects.primitives if one.label == MOTION]
     bits, hidden = (item.category, primitive.symbol), model.config.hidden
     effect = 1000 * model.branching_table(np.array([item.features]), [primitive.symbol])[0, 0]
     named = zip(("along x", "along y", "height"), item.features, strict=False)
@@ -267,7 +267,7 @@ def world() -> Iterator[str]:
             x, y = seen(one.outcome)
             off = np.linalg.norm(np.subtract(one.outcome, promise.outcome))
             if one.kind == promise.kind and off <= 0.05:
-                yield circle(x, y, 3.5, f'fill="{palette.hex(operator.category)}"')
+                yield circle(x, y, 3.5, f'fill="{palette.hex(operator.subject)}"')
             else:
                 slopes = [path([(x - 4, y - 4 * up), (x + 4, y + 4 * up)]) for up in (1, -1)]
                 yield "".join(slopes)

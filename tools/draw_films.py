@@ -16,14 +16,13 @@ from neurosym.execution.performance import rerun
 from neurosym.execution.record import Run, StepRecord
 from neurosym.files import read_json, write_atomically
 from neurosym.grounding import Grounding
-from neurosym.operators import DOT_COLOURS
 from neurosym.pictures.film import Sparing
 from neurosym.problems import Problem
 from neurosym.report.run_film import step_named
 from neurosym.sim import camera
 from neurosym.stages.console import say
 from neurosym.stages.painting import painted_world
-from neurosym.world import Frame
+from neurosym.world import DOT_COLOURS, Frame
 
 ROOT = Path(__file__).parent.parent
 FILMS = {

@@ -58,7 +58,7 @@ def sections(folder: DomainFolder) -> list[str]:
         "rehearsed. The effect is where the object stands, seen from the place; the hand aims beside it by "
         "as much. *As promised*: within 50 mm of that. "
         "`neurosym explain` tells in words what pushes and lifts.",
-        described.operators_table(grounding.places.operators.operators, grounding),
+        described.operators_table(grounding.places.operators, grounding),
         "## Problems",
         f"Problem number i is drawn with seed {SEED} + i. In *anywhere*, goals lie all over the table, at "
         "least 15 cm away. In *swap*, two or three objects change places. A *row* goes across the table, "

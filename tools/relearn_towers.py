@@ -13,7 +13,7 @@ from neurosym.commands.pipeline import run
 from neurosym.evaluation.summary import markdown_table
 from neurosym.files import make_folder, write_json
 from neurosym.grounding import Grounding
-from neurosym.pair_operators import RelationOperators
+from neurosym.pair_operators import OF_PAIRS, RelationOperators
 from neurosym.stages.folder import DomainFolder, Manifest
 from neurosym.stages.layout import GROUNDING, MANIFEST
 from neurosym.stages.problem_making import Asked
@@ -125,7 +125,7 @@ def _operators(relations: RelationOperators) -> str:
     kept.sort(key=lambda pair: -pair[1].share)
     rows = [
         [one.name, f"{promise.count} of {one.trials}"]
-        + [f"{case.kept} of {case.trials}" for case in (one.borne, one.occupied, one.laden)]
+        + [f"{case.kept} of {case.trials}" for case in map(one.among, OF_PAIRS)]
         for one, promise in kept[:_MOST_OPERATORS]
     ]
     return markdown_table(["operator", "as promised", "borne", "occupied", "laden"], rows)

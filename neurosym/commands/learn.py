@@ -189,8 +189,8 @@ def distill(
 ) -> int:
     """Turn action symbols into parameters and rehearse each: -> `primitives.json`."""
     from neurosym.commands.tables import show_operators, show_relations, show_verdict
+    from neurosym.formats import PairFile, PlaceFile
     from neurosym.operators import OperatorTable, counted_axes
-    from neurosym.pair_operators import PlaceOperators, RelationOperators
     from neurosym.stages.learning import TO_OBJECTS, TO_PLACES, distill_stage
     from neurosym.stages.verdicts import judge_operators, judge_relations
 
@@ -214,12 +214,12 @@ def distill(
     show_verdict(judge_operators(table))
     if is_rehearsed and (domain / layout.PLACE_MODEL).exists():
         domain.perform(distill_stage(domain, TO_PLACES, **options), again=True)
-        places = PlaceOperators.load(domain / layout.PLACE_OPERATORS).operators
+        places = PlaceFile.load(domain / layout.PLACE_OPERATORS).table()
         show_operators(places)
         show_verdict(judge_operators(places))
     if is_rehearsed and (domain / layout.RELATION_MODEL).exists():
         domain.perform(distill_stage(domain, TO_OBJECTS, **options), again=True)
-        relations = RelationOperators.load(domain / layout.RELATION_OPERATORS)
+        relations = PairFile.load(domain / layout.RELATION_OPERATORS).table()
         show_relations(relations)
         show_verdict(judge_relations(relations))
     say_next(f"neurosym {after}")
@@ -253,8 +253,10 @@ def compile_domain(
     domain = opened(folder)
     domain.perform(compile_stage(domain, cell=cell, name=name, durative=durative, plain=plain), again=True)
     grounding = Grounding.load(domain / layout.GROUNDING)
-    say(f"{len(grounding.live)} operators in {folder / layout.DOMAIN}; left out: {len(grounding.left_out)}")
-    for operator, reason in grounding.left_out.items():
+    known = {one.name for one in grounding.objects.operators}
+    left_out = {name: reason for name, reason in grounding.left_out.items() if name in known}
+    say(f"{len(grounding.live)} operators in {folder / layout.DOMAIN}; left out: {len(left_out)}")
+    for operator, reason in left_out.items():
         say(f"  {operator}: {reason}")
     if durative:
         names = domain.problem_names()

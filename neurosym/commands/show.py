@@ -137,9 +137,9 @@ def _learned(
     from neurosym.stages.problem_making import sight_of_pairs
 
     grounding = Grounding.load(domain.require(GROUNDING))
-    if operator is not None and (on_pair := grounding.relation_named(operator)):
-        return [pair_motion(world, grounding, on_pair, sight=sight_of_pairs(domain))]
     by_name = (grounding.operator_named(operator),) if operator is not None else ()
+    if by_name and by_name[0].frame == "pair":
+        return [pair_motion(world, grounding, by_name[0], sight=sight_of_pairs(domain))]
     asked = by_name if primitive is None else operators_of(grounding, primitive)
     categorise = EffectModel.load(domain.require(MODEL)).object_symbols
     objects, seed = rehearsal_options(domain.manifest())

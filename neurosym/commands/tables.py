@@ -14,7 +14,7 @@ from neurosym.execution.record import Run
 from neurosym.files import read_json
 from neurosym.learning.training import TrainingReport, empty_codes, error_table
 from neurosym.operators import CONVERGED, NO_EFFECT, Effect, OperatorTable, name_axes, names_of_features
-from neurosym.pair_operators import RelationOperators
+from neurosym.pair_operators import OF_PAIRS, RelationOperators
 from neurosym.report.symbols import EffectRow, Explanation, SymbolExplanation
 from neurosym.stages.console import NARROW, folded, print_raw, say, show_table, width
 from neurosym.stages.verdicts import Verdict, judge_training
@@ -83,7 +83,7 @@ def show_relations(table: RelationOperators) -> None:
     rows = []
     for one in table.operators:
         if one.promise is not None:
-            among = (f"{kept.kept} of {kept.trials}" for kept in (one.borne, one.occupied, one.laden))
+            among = (f"{kept.kept} of {kept.trials}" for kept in map(one.among, OF_PAIRS))
             rows.append([one.name, f"{one.promise.count} of {one.trials}", *among])
     columns = ["operator", "ends so", "target borne", "reference occupied", "target laden"]
     show_table("operators on pairs", columns, rows)

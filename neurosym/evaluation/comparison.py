@@ -177,7 +177,7 @@ def _predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep]
     if is_relational(problem, grounding):
         return np.asarray(validate(steps, problem, grounding).positions[-1])
     placed = with_places(problem, grounding)
-    symbols = grounding.operators.symbols
+    symbols = grounding.objects.symbols
     effects = setting.predict(problem.scene().features)  # (M, P, 3)
     for step, then in zip(steps, [*steps[1:], None], strict=True):
         if step.puts_down:
@@ -188,7 +188,8 @@ def _predicted_end(setting: Setting, problem: Problem, steps: Sequence[PlanStep]
             continue
         put_down = is_lift(operator) and then is not None and then.puts_down
         promise = operator.promise if put_down else None
-        positions[moved] += at_rest(promise) if promise else effects[moved, symbols.index(operator.primitive)]
+        effect = effects[moved, symbols.index(operator.primitive)]
+        positions[moved] += at_rest(promise) if promise else effect
     return positions
 
 
@@ -271,7 +272,7 @@ class Bench:
 
         grounding = Grounding.load(folder.require(GROUNDING))
         model = EffectModel.load(folder.require(MODEL))
-        symbols = grounding.operators.symbols
+        symbols = grounding.objects.symbols
         self._sight = sight_of_pairs(folder)
         self.categorise: Callable[[Float[ndarray, "N F"]], tuple[Symbol, ...]] = model.object_symbols
         self.setting = Setting(

@@ -14,7 +14,7 @@ import msgspec
 from neurosym.checks import check_all, check_callable, check_count, check_kind, check_seed
 from neurosym.contract import guarded, limits_of, placed
 from neurosym.errors import InvalidValue
-from neurosym.execution.performance import STOP, Moment, Situation, Watcher, check_aims, drawn_nudge
+from neurosym.execution.performance import STOP, Moment, Situation, Watcher, drawn_nudge
 from neurosym.execution.record import Ended, Nudge, Replanning, Run, StepRecord, own_steps, why_missed
 from neurosym.execution.replanning import (
     NEARER,
@@ -31,7 +31,7 @@ from neurosym.planners.planner import Effort, Tell
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.tasks.task import understand
-from neurosym.tasks.transition import PlanStep, Steps, named_steps, primitives, promise_of, validate
+from neurosym.tasks.transition import PlanStep, check_aims, named_steps, primitives, promise_of, validate
 from neurosym.world import FrameSink, OtherObject, Outcome, Reference, Scene, World
 
 FAR = 0.1
@@ -98,7 +98,7 @@ def execute(
         run.step()
         if on_step:
             on_step(run.records[-1])
-    return run.record(named_steps(plan))
+    return run.record(plan)
 
 
 def _check_run(world: World, problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
@@ -107,8 +107,7 @@ def _check_run(world: World, problem: Problem, grounding: Grounding, plan: Seque
     check_kind("grounding", grounding, Grounding, "a Grounding")
     check_all("plan", plan, PlanStep, "steps, as in PlanResult.steps")
     for step in plan:
-        if not grounding.relation_named(step.base):
-            grounding.operator_named(step.base)
+        grounding.operator_named(step.base)
         problem.object_named(step.object)
     if limits := limits_of(world):
         if reason := limits.too_many(len(problem.objects)):
@@ -195,8 +194,7 @@ class _Running:
         number, grounding = self.moment.number, self.here.grounding
         step, before = self.left.pop(0), self.here.scene
         self.tell(f"step {number}: {step.operator} {step.object}")
-        is_put = grounding.relation_named(step.operator) is not None
-        put_down = bool(self.left) or is_put or not is_lift(grounding.operator_named(step.operator))
+        put_down = bool(self.left) or not is_lift(grounding.operator_named(step.operator))
         if self.left and self.left[0].puts_down:
             self.left.pop(0)
         with placed(f"step {number}"):
@@ -209,12 +207,12 @@ class _Running:
         else:
             self._lifted = step, before
 
-    def record(self, plan: Steps) -> Run:
+    def record(self, plan: Sequence[PlanStep]) -> Run:
         """Say what became of the run, whose steps were asked for."""
         judged = self.here.judge()
         run = Run(
             problem=self.here.problem.name,
-            plan=plan,
+            plan=named_steps(plan),
             steps=tuple(self.records),
             reason="",
             nudge=self.nudges[0] if self.nudges else None,

@@ -1,14 +1,14 @@
 """Performing the steps of a plan in a world, recording them, and performing a record again."""
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, Protocol
 
 import msgspec
 import numpy as np
 
-from neurosym.errors import InvalidValue, InvalidWorld, UnknownChoice
+from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.execution.record import Nudge, Replanning, Run, StepRecord, own_steps, record_step, seen_now
 from neurosym.grounding import Grounding
 from neurosym.operators import vector
@@ -16,7 +16,7 @@ from neurosym.pair_operators import extent
 from neurosym.problems import Problem, RelationGoal
 from neurosym.tasks.supports import Contacts, touching
 from neurosym.tasks.task import GOAL, PARK, unmet_relations, with_places
-from neurosym.tasks.transition import PlanStep
+from neurosym.tasks.transition import PlanStep, check_aims
 from neurosym.world import FrameSink, Outcome, Place, Reference, Scene, Table, World, relative_to
 
 # Who watches a run: asked before every step whether to move an object, or to end the run there
@@ -105,8 +105,7 @@ def perform(
     The problem says what objects are called, and where pictures show their goals. A step may be aimed at a
     reference besides its object.
     """
-    operator = grounding.relation_named(step.operator) or grounding.operator_named(step.operator)
-    action = np.array(grounding.primitive_of(operator).action)
+    action = np.array(grounding.primitive_of(grounding.operator_named(step.operator)).action)
     target, ghosts = problem.object_names.index(step.object), problem.goal_positions()
     try:
         aim = relative_to(world, reference)
@@ -169,19 +168,6 @@ class Situation:
                 outcome = replace(outcome, start=Scene(start.features, positions, start.orientations))
         told = record_step(step, self.problem, self.grounding, outcome, scene=self.scene, put_down=put_down)
         return told, outcome
-
-
-def check_aims(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep]) -> None:
-    """Refuse steps that carry an object nowhere, off the table, or to what a problem with places has not."""
-    for step in plan:
-        if grounding.relation_named(step.base):
-            others = [name for name in problem.object_names if name != step.object]
-            if step.place not in others:
-                raise UnknownChoice("other object", step.place, others)
-        elif grounding.carries(grounding.operator_named(step.base)):
-            grounding.table.check(step.place, *problem.place_named(step.place))
-        elif step.place:
-            raise InvalidValue(f"{step.operator} carries nothing, so it cannot lead to {step.place}.")
 
 
 # Running a record again: the same world, step by step, must give the same record.

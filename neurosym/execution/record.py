@@ -42,7 +42,7 @@ def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:
         return item
     shown = tuple(round(size, 6) for size in (turned @ np.array(item.features[:3])).tolist())
     features, category = (*shown, *item.features[3:]), item.category
-    categories = grounding.operators.categories
+    categories = grounding.objects.categories
     if rehearsed := [(row, one.symbol) for one in categories for row in one.objects]:
         objects = np.array([row for row, _ in rehearsed])
         apart = (objects - features) / np.maximum(objects.std(0), 1e-9)
@@ -272,7 +272,7 @@ def record_step(
     """
     names, told = problem.object_names, dict[str, Any]()
     if outcome:
-        is_put = grounding.relation_named(step.operator) is not None
+        is_put = grounding.operator_named(step.operator).frame == "pair"
         told = (_put if is_put else _moved)(step, problem, grounding, outcome)
         if grounding.relations and (problem.related or is_put):
             bearers = bearers_of(seen_now(problem, scene, outcome.contacts), grounding.relations)
@@ -317,7 +317,7 @@ def _put(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcom
     target, other = outcome.target, problem.object_names.index(step.place)
     halves = (extent(outcome.end, target) + extent(outcome.end, other)) / 2
     away = outcome.end.positions[target] - outcome.end.positions[other]
-    wanted = vector(np.array(put.end.offset) * halves) if put else None
+    wanted = vector(np.array(put.end.effect) * halves) if put else None
     effect = vector(away if outcome.carried else outcome.resting_effect)
     return {
         "promised": "carried" if put else None,

@@ -19,7 +19,7 @@ from neurosym.tasks.options import PUT_DOWN, put_named
 from neurosym.tasks.promises import LEAST_CHANCE, promised
 from neurosym.tasks.task import is_reached, is_relational, understand
 from neurosym.tasks.transition import PlanStep, Replay, primitives, validate
-from neurosym.world import Outcome, OutcomeKind
+from neurosym.world import Outcome
 
 # Experience: what each object of a scene was seen to do during a run, so that the next plan reckons with
 # it.
@@ -69,7 +69,7 @@ class Experience:
         kept = dict[_Key, list[Outcome]]()
         for item in (as_it_shows(lying, self.grounding) for lying in problem.objects):
             for operator in promised(self.grounding, item, problem.tolerance).values():
-                key = (item.name, _label(operator, self.grounding))
+                key = (item.name, _label(operator))
                 rows = every.get(key, [])
                 if _is_given_up(operator, _as_it_lies(item, rows), problem.tolerance):
                     kept[key] = rows
@@ -79,13 +79,13 @@ class Experience:
 
     def learn(self, step: PlanStep, outcome: Outcome) -> None:
         """Remember what a step did, by its learned name."""
-        if self.grounding.relation_named(step.base):
+        operator = self.grounding.operator_named(step.base)
+        if operator.frame == "pair":
             put = put_named(step.operator, self.grounding)
             kept = put is not None and ended_in(outcome, self.grounding) == put.state
             self._kept.setdefault((pair_key(step.object, step.place), step.operator), []).append(kept)
         else:
-            label = _label(self.grounding.operator_named(step.base), self.grounding)
-            self._seen.setdefault((step.object, label), []).append(outcome)
+            self._seen.setdefault((step.object, _label(operator)), []).append(outcome)
 
     def believed(self, problem: Problem) -> tuple[Problem, Grounding]:
         """Take objects as they show now, and give those that were acted upon a category of their own.
@@ -94,7 +94,7 @@ class Experience:
         categories, and the grounding that has them.
         """
         known = {name for name, _ in self._seen}
-        objects, categories, operators = [], list[Category](), list[tuple[Operator, bool]]()
+        objects, categories, operators = [], list[Category](), list[Operator]()
         for item in (as_it_shows(lying, self.grounding) for lying in problem.objects):
             own = f"{item.category}{_OF}{item.name}" if item.name in known else item.category
             objects.append(msgspec.structs.replace(item, category=own))
@@ -110,32 +110,28 @@ class Experience:
         problem = msgspec.structs.replace(problem, objects=tuple(objects), foreseen=foreseen)
         return problem, self._with(categories, operators) if categories else self.grounding
 
-    def _with(self, categories: list[Category], operators: list[tuple[Operator, bool]]) -> Grounding:
-        """Return the grounding with more categories, and their operators; those that carry are marked."""
+    def _with(self, categories: list[Category], operators: list[Operator]) -> Grounding:
+        """Return the grounding with more categories, and their operators."""
 
-        def extended(table: OperatorTable, *, carry: bool) -> OperatorTable:
-            added = (operator for operator, carries in operators if carries is carry)
+        def extended(table: OperatorTable, frame: str) -> OperatorTable:
+            added = (one for one in operators if one.frame == frame)
             return msgspec.structs.replace(
                 table, categories=(*table.categories, *categories), operators=(*table.operators, *added)
             )
 
-        table, places = extended(self.grounding.operators, carry=False), self.grounding.places
-        if places:
-            places = msgspec.structs.replace(places, operators=extended(places.operators, carry=True))
-        return msgspec.structs.replace(self.grounding, operators=table, places=places)
+        objects, places = extended(self.grounding.objects, "object"), self.grounding.places
+        places = places and extended(places, "place")
+        return msgspec.structs.replace(self.grounding, objects=objects, places=places)
 
-    def _operators_of(
-        self, item: SceneObject, own: Symbol, tolerance: float
-    ) -> Iterator[tuple[Operator, bool]]:
-        """List what is believed of an object, and whether each carries it to places."""
+    def _operators_of(self, item: SceneObject, own: Symbol, tolerance: float) -> Iterator[Operator]:
+        """List what is believed of an object."""
         rows = [rows for (name, to), rows in self._seen.items() if name == item.name and to.startswith(_TO)]
         carried = [one.kind == "carried" for outcomes in rows for one in _as_it_lies(item, outcomes)]
         is_slippery = len(carried) >= SLIPPERY and not any(carried)
         for operator in promised(self.grounding, item, tolerance).values():
-            key, promise = (item.name, _label(operator, self.grounding)), operator.promise
+            key, promise, changed = (item.name, _label(operator)), operator.promise, operator
             outcomes, every = (_as_it_lies(item, rows) for rows in (self._seen.get(key, []), self._all(key)))
-            changed, carries = operator, self.grounding.carries(operator)
-            if promise and carries and is_slippery:
+            if promise and operator.frame == "place" and is_slippery:
                 changed = _promising(operator, promise, 0.0)
             elif promise and _is_given_up(operator, every, tolerance):
                 changed = _given_up(operator, promise, every)
@@ -143,7 +139,7 @@ class Experience:
                 mode, kept = _weighed_mode(promise, outcomes, tolerance)
                 changed = _promising(operator, mode, _chance(operator, outcomes, kept))
             name = f"{operator.name}{_OF}{item.name}"
-            yield msgspec.structs.replace(changed, name=name, category=own), carries
+            yield msgspec.structs.replace(changed, name=name, subject=own, company=())
 
     def _all(self, key: _Key) -> list[Outcome]:
         return [*self._forgotten.get(key, []), *self._seen.get(key, [])]
@@ -171,23 +167,21 @@ def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> Pla
     That is the one with the same parameters and the same kind of outcome, for what the object is now. Problem
     and grounding are those that `Experience.believed` returned.
     """
-    if grounding.relation_named(step.base):
-        return step
 
-    def means(operator: Operator) -> tuple[str, OutcomeKind | None]:
-        return _label(operator, grounding), operator.promise.kind if operator.promise else None
+    def means(operator: Operator) -> tuple[str, ...]:
+        return operator.frame, operator.label, operator.promise.kind if operator.promise else ""
 
-    learned, item = means(grounding.operator_named(step.base)), problem.object_named(step.object)
-    for operator in grounding.every_operator:
-        if operator.category == item.category and means(operator) == learned:
+    learned = means(grounding.operator_named(step.base))
+    for operator in grounding.operators_on(problem.object_named(step.object).category):
+        if means(operator) == learned:
             prefix = PUT_DOWN if step.puts_down else ""
             return dataclasses.replace(step, operator=prefix + operator.name)
     return step
 
 
-def _label(operator: Operator, grounding: Grounding) -> str:
+def _label(operator: Operator) -> str:
     """Return which motion an operator is; those that carry to places have labels of their own."""
-    return f"{_TO}{operator.label}" if grounding.carries(operator) else operator.label
+    return f"{_TO}{operator.label}" if operator.frame == "place" else operator.label
 
 
 def _chance(operator: Operator, outcomes: list[Outcome], kept: list[bool]) -> float:
@@ -253,8 +247,8 @@ def _promising(operator: Operator, mode: Mode, share: float) -> Operator:
     kept = round(share * operator.trials)
     count = max(kept, 1)
     mode = msgspec.structs.replace(mode, near_mean=kept, count=count, share=count / operator.trials)
-    others = tuple(other for other in operator.modes if other.kind != mode.kind)
-    return msgspec.structs.replace(operator, modes=(mode, *others), promised=mode.kind)
+    others = tuple(other for other in operator.outcomes if other.kind != mode.kind)
+    return msgspec.structs.replace(operator, outcomes=(mode, *others), promised=mode.kind)
 
 
 PATIENCE = 10

@@ -17,7 +17,7 @@ from neurosym.data.archives import read_tensors, write_tensors
 from neurosym.data.origin import Dimensions
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.learning.training_config import DirectConfig, ModelConfig
-from neurosym.operators import Symbol, binarize, signs
+from neurosym.operators import Symbol, signs
 from neurosym.world import Mirror
 
 Network = TypeVar("Network", bound="EffectNetwork")
@@ -396,3 +396,8 @@ class DirectModel(EffectNetwork):
         with inference(self):
             outcomes: np.ndarray = self.unscaled(self(tensor(features), tensor(actions))).numpy()
         return outcomes
+
+
+def binarize(embeddings: Float[np.ndarray, "N K"]) -> tuple[Symbol, ...]:
+    """Turn embeddings into symbols by the binary step function (eq. 2): a bit is 1 where the value is > 0."""
+    return tuple("".join("1" if value > 0 else "0" for value in row) for row in embeddings)

@@ -19,7 +19,7 @@ from neurosym.choices import CELL as CELL
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS, Grounding
 from neurosym.operators import MIN_CHANCE, OperatorTable, counted_axes, name_operator
-from neurosym.pair_operators import PlaceOperators, RelationOperators
+from neurosym.pair_operators import RelationOperators
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_domain, numeric_problem, write_numeric
@@ -43,7 +43,7 @@ def compile_domain(
     table_bounds: Table,
     lift_height: float,
     cell: float = CELL,
-    places: PlaceOperators | None = None,
+    places: OperatorTable | None = None,
     relations: RelationOperators | None = None,
 ) -> Grounding:
     """Turn a table of operators into everything that planning needs, an operator for each outcome.
@@ -72,7 +72,7 @@ def compile_domain(
         raise InvalidValue(f"A cell of {cell} m will not do; valid: {widest / MAX_CELLS:g} to {widest:g} m.")
     expanded = with_every_outcome(table)
     names = [name, *WORDS.split(), *(one.name for one in table.categories)]
-    names += [one.name for one in (*expanded.operators, *(places.operators.operators if places else ()))]
+    names += [one.name for one in (*expanded.operators, *(places.operators if places else ()))]
     if relations:
         names += [one.name for one in relations.states] + [one.name for one in relations.operators]
     for one, count in Counter(names).items():
@@ -88,7 +88,7 @@ def compile_domain(
         cell=cell,
         table=table_bounds,
         lift_height=lift_height,
-        operators=expanded,
+        objects=expanded,
         places=_with_objects(places) if places else None,
         relations=relations,
     )
@@ -106,26 +106,24 @@ def with_every_outcome(table: OperatorTable) -> OperatorTable:
     operators = [
         msgspec.structs.replace(
             operator,
-            name=name_operator(operator.label, names[operator.category], [mode]),
+            name=name_operator(operator.label, names[operator.subject], [mode]),
             promised=mode.kind,
         )
         for operator in table.operators
-        for mode in operator.modes
+        for mode in operator.outcomes
         if mode is not operator.promise and mode.kind in ("resting", "held") and mode.share >= MIN_CHANCE
     ]
     return msgspec.structs.replace(table, operators=(*table.operators, *operators))
 
 
-def _with_objects(places: PlaceOperators) -> PlaceOperators:
+def _with_objects(places: OperatorTable) -> OperatorTable:
     """Keep with each operator the objects that it was rehearsed on: its category may have had others."""
-    rehearsed = {one.symbol: one.objects for one in places.operators.categories}
+    rehearsed = {one.symbol: one.objects for one in places.categories}
     operators = tuple(
-        msgspec.structs.replace(one, objects=one.objects or rehearsed.get(one.category, ()))
-        for one in places.operators.operators
+        msgspec.structs.replace(one, objects=one.objects or rehearsed.get(one.subject, ()))
+        for one in places.operators
     )
-    return msgspec.structs.replace(
-        places, operators=msgspec.structs.replace(places.operators, operators=operators)
-    )
+    return msgspec.structs.replace(places, operators=operators)
 
 
 def check_axes(table: OperatorTable) -> None:

@@ -71,19 +71,19 @@ def durative_domain_text(grounding: Grounding, seconds: float | None = None) -> 
     """Print the domain; a carry takes so long [s], or by default as long as the slowest, by the waypoints."""
     _check_carries(grounding)
     if seconds is None:
-        seconds = max(carry_seconds(one, grounding) for one in grounding.carriers)
+        seconds = max(carry_seconds(one, grounding) for one in grounding.live_on("place"))
     if not LEAST_SECONDS <= seconds < math.inf:
         raise InvalidValue(f"A carry takes {seconds:g} s; valid: at least {LEAST_SECONDS} s.")
     return _DOMAIN.format(
         head="\n".join(f"; {line}" for line in common_head(grounding)[:3]),
         name=domain_name(grounding, DURATIVE),
-        categories=" ".join(sorted(category.name for category in grounding.operators.categories)),
+        categories=" ".join(sorted(category.name for category in grounding.objects.categories)),
         seconds=seconds,
     )
 
 
 def _check_carries(grounding: Grounding) -> None:
-    if not grounding.carriers:
+    if not grounding.live_on("place"):
         raise InvalidValue(f"Nothing in the domain {grounding.name} carries objects to places.")
 
 
@@ -94,7 +94,7 @@ def carry_seconds(operator: Operator, grounding: Grounding) -> float:
     `InvalidValue` if its action is not three waypoints, or objects have no height.
     """
     action = grounding.primitive_of(operator).action
-    means = (category.feature_means for category in grounding.operators.categories)
+    means = (category.feature_means for category in grounding.objects.categories)
     tallest = max((features[_HEIGHT] for features in means if len(features) > _HEIGHT), default=0.0)
     if len(action) != _NUMBERS or not tallest:
         raise InvalidValue(

@@ -53,7 +53,7 @@ def numeric_domain(grounding: Grounding) -> Domain:
     stays = [f"(>= {end} {_MARGIN + shift}) (<= {end} {last})" for end, last in zip(ends, most, strict=False)]
     moved = [f"(assign ({axis} ?o) (- {end} {shift}))" for axis, end in zip(AXES, ends, strict=True)]
     moves = f"tests {' '.join(stays)}\n changes {' '.join(moved)}"
-    categories = sorted(category.name for category in grounding.operators.categories)
+    categories = sorted(category.name for category in grounding.objects.categories)
     return Domain(
         name=domain_name(grounding, NUMERIC),
         head=(
@@ -183,7 +183,7 @@ def _shift_of(grounding: Grounding) -> int:
     farthest = 0.0
     for operator in grounding.live:
         seen = [(one.effect, one.resting_effect) for one in operator.rehearsals]
-        seen += [(one.effect, one.resting_effect) for one in operator.modes]
+        seen += [(one.effect, one.resting_effect) for one in operator.outcomes]
         farthest = max([farthest, *(abs(part) for effects in seen for effect in effects for part in effect)])
     shift = _LEAST_SHIFT
     while shift <= 2 * farthest / UNIT:  # putting down can take back what a lift did

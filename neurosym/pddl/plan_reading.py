@@ -239,10 +239,9 @@ def _steps_in(document: Any) -> Iterator[str]:
 
 def _known(grounding: Grounding, problem: Problem) -> set[str]:
     """Name the objects, and all actions of the domain, in short and of earlier versions."""
-    pairs = {one.name for one in grounding.relations.every_operator} if grounding.relations else set()
-    pairs |= {f"{name}{_LADEN}" for name in pairs}
-    known = {CARRY, *_of_page(grounding), *problem.object_names, *pairs, *_notes(grounding)}
-    return known.union(_singles(grounding))
+    names = [one.name for one in grounding.operators]
+    forms = [form for name in names for form in (name, f"{PUT_DOWN}{name}", f"{name}{_LADEN}")]
+    return {CARRY, *_of_page(grounding), *problem.object_names, *_notes(grounding), *forms}
 
 
 def _of_page(grounding: Grounding) -> set[str]:
@@ -252,11 +251,10 @@ def _of_page(grounding: Grounding) -> set[str]:
 def _notes(grounding: Grounding) -> set[str]:
     """Name the actions of earlier versions that are no step, but belonged to one or said what is so."""
     left = {f"leave-{one.name}" for one in (grounding.relations.states if grounding.relations else ())}
-    return {*_FORMER, *left, *(f"finish-{name}-{axis}" for name in _singles(grounding) for axis in AXES)}
-
-
-def _singles(grounding: Grounding) -> list[str]:
-    return [f"{first}{one.name}" for one in grounding.every_operator for first in ("", PUT_DOWN)]
+    names = [
+        f"{first}{one.name}" for one in grounding.operators if one.frame != "pair" for first in ("", PUT_DOWN)
+    ]
+    return {*_FORMER, *left, *(f"finish-{name}-{axis}" for name in names for axis in AXES)}
 
 
 # Ground actions, read as steps
@@ -294,20 +292,20 @@ def _step(name: str, arguments: Sequence[str], problem: Problem, grounding: Grou
         raise InvalidValue("it names no object; valid: (operator object), and what else belongs to it")
     thing, *others = arguments
     item = problem.object_named(thing)
-    if put := grounding.relation_named(name.removesuffix(_LADEN)):
+    step = PlanStep(name.removesuffix(_LADEN), thing)
+    operator = grounding.operator_named(step.base)
+    if operator.frame == "pair":
         rest = [one for one in problem.object_names if one != thing]
         if "".join(others[:1]) not in rest:
             said = f"no other object '{others[0]}'" if others else "it names no other object"
             raise InvalidValue(f"{said}; valid: {', '.join(rest)}")
-        return PlanStep(put.name, thing, others[0])
-    step = PlanStep(name, thing)
-    operator = grounding.operator_named(step.base)
-    if operator.category != item.category:
+        return PlanStep(operator.name, thing, others[0])
+    if operator.subject != item.category:
         raise InvalidValue(
-            f"{operator.name} is for objects of category {grounding.category(operator.category).name}, "
+            f"{operator.name} is for objects of category {grounding.category(operator.subject).name}, "
             f"and {thing} is of category {grounding.category(item.category).name}"
         )
-    if grounding.carries(operator):
+    if operator.frame == "place":
         from_to = len(others) in _FROM_TO and others[1] not in _ORIGINS
         to = others[1] if from_to else "".join(others[:1])
         grounding.table.check(to, *problem.place_named(to))

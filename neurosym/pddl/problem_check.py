@@ -99,7 +99,7 @@ def check_places(problem: Problem, grounding: Grounding) -> None:
     """Raise `InvalidValue` unless objects can be carried to each place that a problem names."""
     if not problem.places:
         return
-    if not grounding.carriers:
+    if not grounding.live_on("place"):
         raise InvalidValue(
             f"The problem {problem.name} has places, and nothing in this domain carries objects to places; "
             "leave out `places`, or learn to with `neurosym run DIR --places N`."

@@ -57,9 +57,9 @@ def page(grounding: Grounding) -> Domain:
     parts = [_COMMON, *([_LEADING] if grounding.live else [])]
     if puts_of(grounding):
         parts += [_carrying(grounding, "?from"), _relating(grounding)]
-    elif grounding.carriers:
+    elif grounding.live_on("place"):
         parts += [_carrying(grounding)]
-    categories = sorted(category.name for category in grounding.operators.categories)
+    categories = sorted(category.name for category in grounding.objects.categories)
     promise = "A valid plan asks a full hand for nothing but to put down"
     promise += ", and carries only to places that are free." if parts[2:] or not grounding.live else "."
     if grounding.live:
@@ -98,7 +98,7 @@ def common_head(grounding: Grounding) -> tuple[str, ...]:
         "limit no action. Bits in names are learned symbols; a letter behind them tells parameters for one "
         "symbol apart.",
         cost,
-        data * (grounding.operators.measured == "data"),
+        data * (grounding.objects.measured == "data"),
     )
 
 
@@ -310,21 +310,21 @@ def symbol_table(grounding: Grounding, *, with_others: bool = True) -> tuple[str
 
     A symbol has several motions, with parameters of their own; it is told what the surest of them does.
     """
-    categories = sorted(grounding.operators.categories, key=lambda one: one.symbol)
+    categories = sorted(grounding.objects.categories, key=lambda one: one.symbol)
     names = {category.symbol: category.name for category in categories}
     lines = [
         "Learned action symbols: what the surest motion of each does to a category, how far in mm, "
         "how often.",
         *_table([["symbol", *names.values()], *_rows(grounding.live, names)]),
     ]
-    if with_others and (carriers := _rows(grounding.carriers, names)):
+    if with_others and (carriers := _rows(grounding.live_on("place"), names)):
         lines += ["Symbols of carrying: how often each brings these categories, column by column, to places."]
         lines += _table(carriers)
     if with_others and (puts := puts_of(grounding)):
         lines += ["Symbols of putting on or in others: for how many learned kinds of pairs, and how often."]
         chances = dict[tuple[str, str], list[float]]()
         for put in puts:
-            if put.kind:
+            if put.operator.subject:
                 chances.setdefault((put.operator.primitive, put.state.name), []).append(put.chance)
         for symbol, row in groupby(sorted(chances), key=lambda one: one[0]):
             told = (f"{key[1]} {len(chances[key])}, {_span(chances[key])}" for key in row)
@@ -343,7 +343,7 @@ def _rows(operators: Sequence[Operator], names: Iterable[str]) -> list[list[str]
     """Return a row for each symbol, with what its surest motion does to each category."""
     surest = dict[tuple[str, str], Operator]()
     for one in sorted(operators, key=lambda one: (one.chance, one.name)):
-        surest[one.primitive, one.category] = one
+        surest[one.primitive, one.subject] = one
     symbols = sorted({symbol for symbol, _ in surest})
     return [[symbol, *(_told(surest.get((symbol, name))) for name in names)] for symbol in symbols]
 

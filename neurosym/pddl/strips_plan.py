@@ -10,7 +10,7 @@ from neurosym.pddl import strips
 from neurosym.pddl.strips_problem import BEGUN_BY, COUNTS, StripsProblem, motion_name, price_name, words_of
 from neurosym.pddl.syntax import STRIPS, Atom, Course, EncodingName, words
 from neurosym.problems import spot_named
-from neurosym.tasks.options import PUT_DOWN
+from neurosym.tasks.options import PUT_DOWN, put_named
 from neurosym.tasks.supports import loads_of
 from neurosym.tasks.task import START, Task
 from neurosym.tasks.transition import PlanStep, apply, start
@@ -52,10 +52,8 @@ def action_for(operator: str, grounding: Grounding) -> str:
     """Name the action of the page that a step with an operator of that name is an instance of."""
     if operator.startswith(PUT_DOWN):
         return "put-down"
-    if grounding.relation_named(operator):
-        return "put"
     found = grounding.operator_named(operator)
-    return "put-at" if grounding.carries(found) else "lift" if is_lift(found) else "push"
+    return {"pair": "put", "place": "put-at"}.get(found.frame) or ("lift" if is_lift(found) else "push")
 
 
 def write(steps: Sequence[PlanStep], printed: StripsProblem) -> GroundPlan:
@@ -96,7 +94,7 @@ class _Writer:
         """Write a step, which may be the last with its object."""
         name, task = step.object, self._task
         if step.place:
-            (self._put if task.grounding.relation_named(step.base) else self._carry)(step)
+            (self._put if task.grounding.operator_named(step.base).frame == "pair" else self._carry)(step)
         else:
             self._lead(step)
             if is_last and task.places and name in task.problem.goals and name in self.now.stands:
@@ -169,13 +167,9 @@ class _Writer:
     def _put(self, step: PlanStep) -> None:
         name, other, supports, task = step.object, step.place, self.now.supports, self._task
         count, load = sum(one != name for one in loads_of(other, supports)), len(loads_of(name, supports))
-        case, found = (
-            case_of(name in supports, bool(count), bool(load)),
-            task.grounding.relation_named(step.base),
-        )
-        wanted = found and found.promise and (found.promise.state, case)
-        options = task.put_options.get((name, other), ())
-        option = next((one for one in options if (one.state.symbol, one.case) == wanted), None)
+        case = case_of(name in supports, bool(count), bool(load))
+        put, options = put_named(step.base, task.grounding), task.put_options.get((name, other), ())
+        option = next((one for one in options if put and (one.state, one.case) == (put.state, case)), None)
         if option is None:
             raise InvalidValue(f"{step.operator} is not offered for {name} with {other} there.")
         (origin,) = self._take(name)

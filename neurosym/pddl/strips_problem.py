@@ -219,7 +219,7 @@ class StripsProblem:
         """What can be carried to places, from where if objects may be on others, and what that costs."""
         task, found = self.task, list[tuple[list[str], int]]()
         for name in task.carried:
-            takes = task.relates and task.grounding.takes(task.carriers[name][0], "borne")
+            takes = task.relates and task.carriers[name][0].takes("borne")
             for borne in (False, True) if takes else (False,):
                 origin = [FROM_PERCH if borne else FROM_SPOT] if task.grounding.relations else []
                 found.append(([name, *origin], task.carry_cost(name, borne=borne)))

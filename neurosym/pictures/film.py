@@ -301,10 +301,10 @@ def motion_stills(
     """
 
     def served(operator: Operator) -> float:
-        share = grounding.category(operator.category).share
+        share = grounding.category(operator.subject).share
         return -share * operator.successes / max(1, operator.trials)
 
-    operators = [one for one in grounding.every_operator if one.name == name]
+    operators = [one for one in grounding.operators if one.name == name]
     for operator in operators or sorted(operators_of(grounding, name), key=served):
         motions = operator_motions(world, grounding, (operator,), categorise, objects=objects, seed=seed)
         if motions:

@@ -12,8 +12,8 @@ from neurosym.checks import Float
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Categorise, Operator, Symbol
-from neurosym.pair_operators import RelationOperator, RelationOperators, describe_pair
+from neurosym.operators import TOLERANCE, Categorise, Operator, Symbol, labelled
+from neurosym.pair_operators import RelationOperators, describe_pair
 from neurosym.primitives.rehearsal import MARGIN, rehearsal_sample
 from neurosym.tasks.supports import PairSight, nearest_kinds
 from neurosym.world import FrameSink, OtherObject, Outcome, Reference, Scene, World, relative_to
@@ -94,8 +94,8 @@ def judge(interactions: Interactions, number: int, outcome: Outcome, is_same_sce
 
 def operators_of(grounding: Grounding, label: str) -> tuple[Operator, ...]:
     """Name what a symbol, or one action of it, does that the domain promises, or all it was tried for."""
-    symbol = grounding.primitive(label).symbol
-    every = grounding.operators.operators
+    symbol = labelled(grounding.objects.primitives, label).symbol
+    every = grounding.objects.operators
     tried = tuple(one for one in every if one.primitive == symbol and label in (symbol, one.label))
     return tuple(one for one in tried if grounding.why_left_out(one) is None) or tried
 
@@ -122,7 +122,7 @@ def operator_motions(
         objects: How many objects rehearsal sampled.
         seed: Where rehearsal's draws started.
     """
-    drawing = Aimed(world, MARGIN) if any(map(grounding.carries, operators)) else world
+    drawing = Aimed(world, MARGIN) if any(one.frame == "place" for one in operators) else world
     scenes = rehearsal_sample(drawing, categorise, objects=objects, seed=seed).scenes
     motions = []
     for operator in operators:
@@ -130,14 +130,14 @@ def operator_motions(
         title = operator.name if reason is None else f"{operator.name} (not in the domain: {reason})"
         found = (
             Motion(title, scene, action, scene.reference if isinstance(scene, AimedScene) else None)
-            for scene in scenes.get(operator.category, ())
+            for scene in scenes.get(operator.subject, ())
         )
         motions += _as_promised(world, found, partial(_keeps_promise, operator))
     return tuple(motions)
 
 
 def pair_motion(
-    world: World, grounding: Grounding, operator: RelationOperator, sight: PairSight | None = None
+    world: World, grounding: Grounding, operator: Operator, sight: PairSight | None = None
 ) -> Motion:
     """Draw a pair of an operator's kind, for it to do there what it promises.
 
@@ -165,7 +165,7 @@ def pair_motion(
     if found := _as_promised(world, motions, partial(_keeps_pair_promise, operator, relations)):
         return found[0]
     raise InvalidValue(
-        f"None of {_DRAWS} scenes of two objects has a pair of the kind {operator.pair}, which "
+        f"None of {_DRAWS} scenes of two objects has a pair of the kind {operator.subject}, which "
         f"{operator.name} is for."
     )
 
@@ -175,12 +175,12 @@ def surest_carriers(grounding: Grounding) -> tuple[Operator, ...]:
 
     def rank(operator: Operator) -> tuple[Symbol, float, float]:
         spread = math.hypot(*operator.promise.resting_spread[:2]) if operator.promise else math.inf
-        return operator.category, -operator.successes / operator.trials, spread
+        return operator.subject, -operator.successes / operator.trials, spread
 
     best: dict[Symbol, Operator] = {}
-    for operator in sorted(grounding.carriers, key=rank):
+    for operator in sorted(grounding.live_on("place"), key=rank):
         if 2 * operator.successes >= operator.trials:
-            best.setdefault(operator.category, operator)
+            best.setdefault(operator.subject, operator)
     return tuple(best.values())
 
 
@@ -195,14 +195,14 @@ def _as_promised(world: World, motions: Iterable[Motion], keeps: Callable[[Outco
 
 
 def _keeps_promise(operator: Operator, outcome: Outcome) -> bool:
-    promise = operator.promise or operator.modes[0]
+    promise = operator.promise or operator.outcomes[0]
     effect = outcome.effect if outcome.held else outcome.resting_effect
     return promise.kind == outcome.kind and math.dist(effect, promise.outcome) <= TOLERANCE
 
 
-def _keeps_pair_promise(operator: RelationOperator, relations: RelationOperators, outcome: Outcome) -> bool:
+def _keeps_pair_promise(operator: Operator, relations: RelationOperators, outcome: Outcome) -> bool:
     promise = operator.promise
     if promise is None or outcome.kind != "carried":
         return promise is None
     described = describe_pair(outcome.end, 0, 1, outcome.contacts)
-    return relations.of(described.tolist()).symbol == promise.state
+    return relations.of(described.tolist()).symbol == promise.kind

@@ -83,7 +83,7 @@ def predicted_branching(
     It predicts the effect at the end of the rise [m]. Whether the object is held then, and where it comes to
     rest if so, is what the rehearsals saw. Pairs that were never rehearsed are left out.
     """
-    symbols = grounding.operators.symbols
+    symbols = grounding.objects.symbols
 
     def promise(item: SceneObject, symbol: Symbol) -> Operator | None:
         learned = grounding.operator_for(item.category, symbol)

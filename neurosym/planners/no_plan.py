@@ -114,7 +114,7 @@ def look_again(
     ceiling = math.inf if time_limit is None else time_limit
     work = MOST_WORK if goes_near else WORK_TO_COUNT
     found = plan_counting(problem, grounding, time_limit=ceiling, work=work, goes_near=goes_near)
-    by_effects = f"by the {grounding.operators.effects}"
+    by_effects = f"by the {grounding.objects.effects}"
     if not goes_near:
         known = f"{by_effects} there is a plan of {counted(primitives(found.steps), 'primitive')}"
         said = f"{result.reason}; {known}: try another planner, say counting"

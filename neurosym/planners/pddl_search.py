@@ -379,12 +379,12 @@ def _away_from_edges(grounding: Grounding, problem: Problem) -> Grounding:
 def _fitted(grounding: Grounding, problem: Problem, cell: float) -> Grounding:
     """Keep only what the problem needs, on another grid, with a table that reaches to where objects stand."""
     categories = {item.category for item in problem.objects}
-    kept = tuple(operator for operator in grounding.live if operator.category in categories)
+    kept = tuple(operator for operator in grounding.live if operator.subject in categories)
     room = problem.room(grounding.table, rounded=0.0)
     (x_low, y_low), (x_high, y_high) = room[0].min(axis=0).tolist(), room[1].max(axis=0).tolist()
     return msgspec.structs.replace(
         grounding,
         cell=cell,
         table=Table(x=(x_low, x_high), y=(y_low, y_high)),
-        operators=msgspec.structs.replace(grounding.operators, operators=kept),
+        objects=msgspec.structs.replace(grounding.objects, operators=kept),
     )

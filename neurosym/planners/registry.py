@@ -17,7 +17,7 @@ import msgspec
 
 from neurosym.checks import check_callable, check_kind
 from neurosym.choices import admit, is_factory, load_factory, one_line, told
-from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice, shortened
+from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.problem_check import why_no_relation
@@ -59,7 +59,7 @@ from neurosym.planners.planner import (
 )
 from neurosym.problems import NEAR_TABLE, Problem
 from neurosym.tasks.task import is_reached, is_relational, relations_of, understand
-from neurosym.tasks.transition import PlanStep, validate
+from neurosym.tasks.transition import PlanStep, check_aims, validate
 
 _JAVA = ("java", "a Java runtime of version 17 or later")
 _KAIROS = (
@@ -371,12 +371,7 @@ def _look_up(step: PlanStep, query: Query) -> None:
     """Raise `UnknownChoice` or `InvalidValue` if a step names what there is not."""
     problem, grounding = query.problem, query.grounding
     problem.object_named(step.object)
-    if grounding.relation_named(step.base):
-        problem.object_named(step.place)
-    elif grounding.carries(grounding.operator_named(step.base)):
-        understand(problem, grounding).flat.place_named(step.place)
-    elif step.place:
-        raise InvalidValue(f"{step.operator} goes to no place, and {shortened(step.place)!r} is named.")
+    check_aims(understand(problem, grounding).flat, grounding, (step,), free=True)
 
 
 def _check_relations(planner: Planner, query: Query) -> None:

@@ -239,7 +239,7 @@ def average(
             modes = sort_into_modes(kinds[rows].tolist(), *(column[rows] for column in outcomes))
             name = name_operator(primitive.symbol, category.name, modes)
             count = int(rows.sum())
-            operators.append(Operator(name, category.symbol, primitive.symbol, trials=count, modes=modes))
+            operators.append(Operator(name, category.symbol, primitive.symbol, trials=count, outcomes=modes))
     return OperatorTable(categories, tuple(ordered), tuple(operators), measured="data", format=TABLE_FORMAT)
 
 

@@ -18,18 +18,26 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.contract import made
-from neurosym.operators import Categorise, Category, Primitive, Symbol, name_categories, symbols_of
+from neurosym.operators import (
+    Categorise,
+    Category,
+    Company,
+    Kept,
+    Mode,
+    Operator,
+    Primitive,
+    Symbol,
+    symbols_of,
+)
 from neurosym.pair_operators import (
     SELDOM,
-    Kept,
-    PairEnd,
     PairStates,
-    RelationOperator,
     RelationOperators,
+    pair_end,
     touching_units,
 )
 from neurosym.primitives.audition import Contest, Groups, Round, audition_in_rounds, moved
-from neurosym.primitives.rehearsal import Rehearsals, Search, means_for_naming, rounded
+from neurosym.primitives.rehearsal import Rehearsals, Search, means_for_naming, name_categories, rounded
 from neurosym.primitives.reliability import end_state, sureness, watch
 from neurosym.primitives.sampling import Repertoire, perform_each, sample_by_category, tasks_of, with_own
 from neurosym.world import OtherObject, Outcome, Scene
@@ -158,23 +166,14 @@ def tabulate_pairs(
             if not (outcomes := rehearsals.on(kind.symbol, number)):
                 continue
             ends = _ends(outcomes, states)
-            carried = [end for end in ends if end.state]
-            often = [e.state for e in carried[1:] if e.state in states.straight and e.share >= SELDOM]
-            usual = carried[0].state if carried else ""
+            carried = [end for end in ends if end.is_promising]
+            often = [e.kind for e in carried[1:] if e.kind in states.straight and e.share >= SELDOM]
+            usual = carried[0].kind if carried else ""
             for state in (usual, *often):
                 name = f"{names.get(state, 'miss')}-by-{primitive.label}-{kind.name}"
-                operators.append(
-                    RelationOperator(
-                        name,
-                        kind.symbol,
-                        primitive.symbol,
-                        len(outcomes),
-                        ends,
-                        **dict.fromkeys(("borne", "occupied", "laden"), Kept(name, 0, 0)),
-                        variant=primitive.variant,
-                        promised="" if state == usual else state,
-                    )
-                )
+                promised = None if state == usual else state
+                told = name, kind.symbol, primitive.symbol, len(outcomes), ends, promised, primitive.variant
+                operators.append(Operator(*told, frame="pair"))
     return RelationOperators(states.states, states.scales, kinds, rehearsals.primitives, tuple(operators))
 
 
@@ -191,23 +190,23 @@ def rehearse_among(search: Search, table: RelationOperators, rehearsals: Rehears
         if outcome is not None and len(outcome.end) > 2 and end_state(outcome, table) in table.bearing
     ]
     pool = _pool([ends[number] for number in rng.permutation(len(ends))], search.categorise)
-    worthy = {one.name: one for one in table.operators if one.promise and one.promise.state in table.straight}
+    worthy = {one.name: one for one in table.operators if one.promise and one.promise.kind in table.straight}
     primitives = {one.label: one for one in table.primitives}
-    keys = [(*key, how) for key in {(one.pair, one.label): None for one in worthy.values()} for how in pool]
+    motions = dict.fromkeys((one.subject, one.label) for one in worthy.values())
+    keys = [(*motion, how) for motion in motions for how in pool]
     tasks = [tasks_of(primitives[label], pool[how].get(pair, [])[:AMONG]) for pair, label, how in keys]
     factory = RelatedFactory(search.world_factory)
     with search.open_bar("rehearsing where pairs bear others") as advance:
         performed = dict(zip(keys, perform_each(factory, tasks, search.workers, advance), strict=True))
 
-    def kept(one: RelationOperator, how: str) -> Kept:
-        if one.name not in worthy or one.promise is None:
-            return Kept(one.name, 0, 0)
-        outcomes = performed[one.pair, one.label, how]
-        good = [end for end in outcomes if end_state(end, table) == one.promise.state and _left(end, how)]
-        return Kept(one.name, len(outcomes), len(good))
+    def kept(one: Operator, how: Company) -> tuple[Company, Kept]:
+        outcomes, asked = performed[one.subject, one.label, how], one.promise and one.promise.kind
+        good = [end for end in outcomes if end_state(end, table) == asked and _left(end, how)]
+        return how, Kept(one.name, len(outcomes), len(good))
 
     operators = (
-        msgspec.structs.replace(one, **{how: kept(one, how) for how in pool}) for one in table.operators
+        msgspec.structs.replace(one, company=tuple(kept(one, how) for how in pool if one.name in worthy))
+        for one in table.operators
     )
     return msgspec.structs.replace(table, operators=tuple(operators))
 
@@ -221,13 +220,13 @@ def _left(outcome: Outcome, how: str) -> bool:
     return goes_along and {index for index, _ in outcome.disturbed} <= {_THIRD}
 
 
-def _pool(ends: Sequence[Scene], categorise: Categorise) -> dict[str, dict[Symbol, list[RelatedScene]]]:
+def _pool(ends: Sequence[Scene], categorise: Categorise) -> dict[Company, dict[Symbol, list[RelatedScene]]]:
     """Gather pairs of each kind in which a third object plays a part.
 
     In each of the scenes the first object rests on the second; the third is a bystander.
     """
-    orders = {"borne": (0, 2, 1), "occupied": (2, 1, 0), "laden": (1, 2, 0)}
-    pool: dict[str, dict[Symbol, list[RelatedScene]]] = {how: {} for how in orders}
+    orders: dict[Company, tuple[int, ...]] = {"borne": (0, 2, 1), "occupied": (2, 1, 0), "laden": (1, 2, 0)}
+    pool: dict[Company, dict[Symbol, list[RelatedScene]]] = {how: {} for how in orders}
     for how, order in orders.items():
         scenes = [as_pair(taken(end, [*order, *range(3, len(end))])) for end in ends]
         if scenes:
@@ -237,7 +236,7 @@ def _pool(ends: Sequence[Scene], categorise: Categorise) -> dict[str, dict[Symbo
     return pool
 
 
-def _ends(outcomes: Sequence[Outcome], states: PairStates) -> tuple[PairEnd, ...]:
+def _ends(outcomes: Sequence[Outcome], states: PairStates) -> tuple[Mode, ...]:
     """Sort what happened by the state that pairs ended in; what moved others counts as a miss."""
     found: dict[str, list[np.ndarray]] = {}
     for outcome in outcomes:
@@ -248,7 +247,7 @@ def _ends(outcomes: Sequence[Outcome], states: PairStates) -> tuple[PairEnd, ...
     for state, rows in sorted(found.items(), key=lambda one: (-len(one[1]), one[0])):
         where = np.array(rows if state else np.zeros((1, 3)))
         told: Any = rounded(where.mean(0)), rounded(where.std(0))
-        ends.append(PairEnd(state, len(rows), len(rows) / len(outcomes), *told))
+        ends.append(pair_end(state, len(rows), len(rows) / len(outcomes), *told))
     return tuple(ends)
 
 

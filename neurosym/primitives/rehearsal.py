@@ -31,7 +31,9 @@ from neurosym.operators import (
     TOLERANCE,
     Categorise,
     Category,
+    Company,
     Effect,
+    Kept,
     Mode,
     Operator,
     OperatorTable,
@@ -39,10 +41,8 @@ from neurosym.operators import (
     Rehearsal,
     Symbol,
     all_symbols,
-    name_categories,
     name_operator,
 )
-from neurosym.pair_operators import Kept, PlaceOperators
 from neurosym.primitives.reliability import PredictOutcomes, judge, performance
 from neurosym.primitives.sampling import (
     Repertoire,
@@ -190,17 +190,17 @@ def tabulate(
             modes = modes_of(outcomes)
             operator = Operator(
                 name=name_operator(primitive.label, category.name, modes),
-                category=category.symbol,
+                subject=category.symbol,
                 primitive=primitive.symbol,
                 trials=len(outcomes),
-                modes=modes,
+                outcomes=modes,
                 variant=primitive.variant,
                 rehearsals=tuple(map(rehearsal_of, outcomes)),
             )
             found.append((operator, judge([*map(performance, outcomes)]).sureness))
         if progress is not None:
             progress(number + 1, len(rehearsals.primitives))
-    found.sort(key=lambda one: (one[0].primitive, one[0].category, -one[1], one[0].variant))
+    found.sort(key=lambda one: (one[0].primitive, one[0].subject, -one[1], one[0].variant))
     operators = tuple(operator for operator, _ in found)
     return OperatorTable(categories, rehearsals.primitives, operators, format=TABLE_FORMAT)
 
@@ -429,9 +429,9 @@ def rehearse_unsure(search: Search, table: OperatorTable) -> OperatorTable:
     categories = {one.symbol: one for one in table.categories}
     actions = {one.label: one for one in table.primitives}
     revised = {
-        place: _Revision(one, categories[one.category], *pool, np.ones(len(pool[0]), dtype=bool))
+        place: _Revision(one, categories[one.subject], *pool, np.ones(len(pool[0]), dtype=bool))
         for place, one in enumerate(table.operators)
-        if (pool := pools.get(one.category))
+        if (pool := pools.get(one.subject))
     }
     done = 0
     with search.open_bar("rehearsing what is unsure") as advance:
@@ -463,7 +463,7 @@ _LEVEL = 0.01  # what stands higher than it did stands on something else [m]
 _OTHERS_STREAM, _BESIDE = 0x6F63, 0x6273  # keep these draws apart from those of other rehearsals
 
 
-def rehearse_among_others(search: Search, table: OperatorTable) -> PlaceOperators:
+def rehearse_among_others(search: Search, table: OperatorTable) -> OperatorTable:
     """Rehearse operators with another object on the place, and with others close around the target.
 
     That says whether the place must be free, and whether others are left alone.
@@ -477,23 +477,29 @@ def rehearse_among_others(search: Search, table: OperatorTable) -> PlaceOperator
     }
     around = sample(crowded(), stream=_BESIDE).scenes
 
-    def kept(label: str, factory: WorldFactory, scenes: Mapping[Symbol, Sequence[Scene]]) -> tuple[Kept, ...]:
-        """Rehearse operators that ever carry, and count what went as promised."""
+    def kept(
+        how: Company, label: str, factory: WorldFactory, scenes: Mapping[Symbol, Sequence[Scene]]
+    ) -> dict[str, tuple[tuple[Company, Kept], ...]]:
+        """Rehearse operators that ever carry, and count what went as promised, by their names."""
         actions = {one.label: one for one in table.primitives}
-        worthy = [one for one in table.operators if one.successes and scenes.get(one.category)]
-        tasks = [tasks_of(actions[one.label], scenes[one.category]) for one in worthy]
+        worthy = [one for one in table.operators if one.successes and scenes.get(one.subject)]
+        tasks = [tasks_of(actions[one.label], scenes[one.subject]) for one in worthy]
         with search.open_bar(label) as advance:
             ended = perform_each(factory, tasks, search.workers, advance)
-        return tuple(
-            Kept(one.name, len(ends), sum(_stands_there(one, end) for end in ends))
+        return {
+            one.name: ((how, Kept(one.name, len(ends), sum(_stands_there(one, end) for end in ends))),)
             for one, ends in zip(worthy, ended, strict=True)
-        )
+        }
 
-    return PlaceOperators(
-        operators=table,
-        occupied=kept("rehearsing on occupied places", aimed, on_place),
-        beside=kept("rehearsing among neighbours", crowded, around),
+    occupied = kept("occupied", "rehearsing on occupied places", aimed, on_place)
+    beside = kept("beside", "rehearsing among neighbours", crowded, around)
+    operators = tuple(
+        msgspec.structs.replace(
+            one, frame="place", company=occupied.get(one.name, ()) + beside.get(one.name, ())
+        )
+        for one in table.operators
     )
+    return msgspec.structs.replace(table, operators=operators)
 
 
 def _occupied(scene: Scene, other: Scene) -> AimedScene | None:
@@ -513,3 +519,33 @@ def _stands_there(operator: Operator, outcome: Outcome) -> bool:
     away, up = outcome.resting_effect - operator.promise.outcome, outcome.resting_effect[2]
     is_near = float(np.linalg.norm(away[:2])) <= TOLERANCE
     return outcome.kind == "carried" and is_near and abs(float(up)) <= _LEVEL and not outcome.disturbed
+
+
+# Names of categories, as those of operators: legal in PDDL, each ends with the bits that it stands for
+
+_CONTRAST = 0.1  # least relative difference to the other categories that is worth a word
+_SURE = 0.75  # least share of one type that is worth a word
+
+
+def name_categories(
+    symbols: Sequence[Symbol], means: Float[np.ndarray, "L F"], feature_names: Sequence[str]
+) -> tuple[str, ...]:
+    """Name categories by what sets each apart from the others: `hollow-low-10`, `solid-wide-01`, `any-11`.
+
+    Of the mean features those named s_x, s_y, d and t are used; of t, the mean is the share that is hollow.
+    """
+    columns = {name: means[:, number] for number, name in enumerate(feature_names)}
+    names = []
+    for row, symbol in enumerate(symbols):
+        words = ["kind"]
+        if "t" in columns:
+            share = columns["t"][row]
+            words = ["hollow" if share >= _SURE else "solid" if share <= 1 - _SURE else "any"]
+        for parts, less, more in ((("d",), "low", "tall"), (("s_x", "s_y"), "narrow", "wide")):
+            if all(part in columns for part in parts):
+                values = np.sum([columns[part] for part in parts], axis=0)
+                usual = np.delete(values, row).mean() if len(values) > 1 else 0.0
+                ratio = values[row] / usual if usual else 1.0
+                words.append(less if ratio < 1 - _CONTRAST else more if ratio > 1 + _CONTRAST else "")
+        names.append("-".join([*filter(None, words), symbol]))
+    return tuple(names)

@@ -154,7 +154,7 @@ def repertoire_of(table: OperatorTable) -> Repertoire:
     if not any(primitive.variant for primitive in table.primitives):
         return shared_by_all(table.primitives)
     own = {
-        category.symbol: tuple(op.label for op in table.operators if op.category == category.symbol)
+        category.symbol: tuple(op.label for op in table.operators if op.subject == category.symbol)
         for category in table.categories
         if category.share
     }

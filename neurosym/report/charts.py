@@ -7,9 +7,9 @@ from typing import Any, Literal
 import numpy as np
 
 from neurosym.checks import Bool, Float
-from neurosym.colours import Palette
 from neurosym.data.interactions import Interactions
 from neurosym.operators import CARRIED, NO_EFFECT, Symbol
+from neurosym.world import Palette
 from neurosym.worlds.aims import PLACE_AXES
 
 _WIDTH, _HEIGHT = 520, 320

@@ -13,10 +13,10 @@ from html import escape
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.colours import OTHER, Colour, Palette
 from neurosym.operators import NO_EFFECT, Symbol
 from neurosym.report.charts import round_values
 from neurosym.report.symbol_map import Feature, SymbolMap
+from neurosym.world import OTHER, Colour, Palette
 
 PLOT = (46.0, 10.0, 350.0, 262.0)
 """Edges of a map: left, top, right, bottom [pixels]; below and to the left there is room for the axes."""

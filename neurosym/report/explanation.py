@@ -10,11 +10,13 @@ from pathlib import Path
 
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidFile, listed_briefly
+from neurosym.formats import PairFile, PlaceFile
 from neurosym.grounding import Grounding
 from neurosym.operators import (
     CONVERGED,
     TOLERANCE,
     Category,
+    Company,
     Mode,
     Operator,
     OperatorTable,
@@ -25,11 +27,7 @@ from neurosym.operators import (
 from neurosym.pair_operators import (
     DESCRIPTION,
     NEVER_CARRIES,
-    Company,
-    PairEnd,
     PairState,
-    PlaceOperators,
-    RelationOperator,
     RelationOperators,
 )
 from neurosym.pddl.compiler import with_every_outcome
@@ -62,9 +60,9 @@ def explain(
 
     def told(operators: Sequence[Operator]) -> Iterator[str]:
         if trials := sum(operator.trials for operator in operators):
-            held = sum(mode.count for one in operators for mode in one.modes if mode.kind == "held")
+            held = sum(mode.count for one in operators for mode in one.outcomes if mode.kind == "held")
             yield f"The object hangs from the hand in {held or 'none'} of {trials} {table.trials}."
-        met = {operator.category for operator in operators}
+        met = {operator.subject for operator in operators}
         if missing := [one.name for one in table.categories if one.share and one.symbol not in met]:
             yield f"It was never tried on {', '.join(missing)}."
 
@@ -82,20 +80,20 @@ def explain(
     return Explanation(tuple(_summary(table)), actions, objects)
 
 
-def explain_carrying(places: PlaceOperators, gripper: Sequence[bool] = ()) -> tuple[SymbolExplanation, ...]:
+def explain_carrying(places: OperatorTable, gripper: Sequence[bool] = ()) -> tuple[SymbolExplanation, ...]:
     """Say what each action symbol does that is aimed at a place.
 
     `gripper` says which action parameters are gripper values; it is empty if nobody knows.
     """
-    shares = {one.symbol: one.share for one in places.operators.categories}
+    shares = {one.symbol: one.share for one in places.categories}
 
     def title(operators: Sequence[Operator]) -> str:
-        share = sum(shares[one.category] * one.successes / one.trials for one in operators if one.trials)
+        share = sum(shares[one.subject] * one.successes / one.trials for one in operators if one.trials)
         return f"carries {share:.0%} of objects to a place" if share else "carries nothing"
 
     def among_others(operators: Sequence[Operator]) -> Iterator[str]:
         for how, others in _AMONG.items():
-            found = [one for operator in operators if (one := places.company(operator.name).get(how))]
+            found = [one.among(how) for one in operators]
             if trials := sum(one.trials for one in found):
                 kept = sum(one.kept for one in found)
                 yield f"With {others} it went as promised {kept} of {trials} times."
@@ -105,7 +103,7 @@ def explain_carrying(places: PlaceOperators, gripper: Sequence[bool] = ()) -> tu
         return symbols.effect_row(operator, mode, domain, is_aimed=True)
 
     return _symbols_of(
-        places.operators,
+        places,
         action=lambda primitive: symbols.aimed_action_in_words(primitive, gripper),
         title=title,
         more=among_others,
@@ -129,14 +127,14 @@ def _symbols_of(
         labels, about = {one.label for one in operators}, list[str]()
         for primitive in [one for one in of_symbol if one.label in labels] or of_symbol[:1]:
             if len(of_symbol) > 1:
-                on = ", ".join(names[one.category] for one in operators if one.label == primitive.label)
+                on = ", ".join(names[one.subject] for one in operators if one.label == primitive.label)
                 about.append(f"{primitive.label} is for {on or 'no category'}.")
             about += action(primitive)
             if not primitive.has_converged:
                 error = f"its error is {primitive.code_error:.2g}, {CONVERGED} at most"
                 about.append(f"It hardly encodes to the symbol: {error}.")
         about += more(operators)
-        rows = tuple(row(one, mode) for one in operators for mode in one.modes)
+        rows = tuple(row(one, mode) for one in operators for mode in one.outcomes)
         found.append(SymbolExplanation(symbol, title(operators), " ".join(about), rows))
     return tuple(found)
 
@@ -149,7 +147,7 @@ def _check_table(path: Path, table: OperatorTable) -> None:
     labels = {primitive.label for primitive in table.primitives}
     categories = {category.symbol for category in table.categories}
     for operator in table.operators:
-        if operator.label not in labels or operator.category not in categories:
+        if operator.label not in labels or operator.subject not in categories:
             raise InvalidFile(path, f"its operator {operator.name} is of an unknown primitive or category")
 
 
@@ -175,8 +173,8 @@ def _verbs(table: OperatorTable, operators: Sequence[Operator]) -> str:
     categories = {category.symbol: category for category in table.categories}
     done_to: dict[str, set[Symbol]] = {}
     for operator in operators:
-        verb = operator.name.removesuffix(f"-{operator.label}-{categories[operator.category].name}")
-        done_to.setdefault(verb, set()).add(operator.category)
+        verb = operator.name.removesuffix(f"-{operator.label}-{categories[operator.subject].name}")
+        done_to.setdefault(verb, set()).add(operator.subject)
     shares = {verb: sum(categories[one].share for one in sorted(met)) for verb, met in done_to.items()}
     ordered = sorted(shares.items(), key=lambda entry: (-entry[1], entry[0]))
     return ", ".join(f"{verb} ({share:.0%} of objects)" for verb, share in ordered) or "never tried"
@@ -209,29 +207,29 @@ def _relating(
 ) -> SymbolExplanation:
     """Say what an action does that is aimed at another object."""
     operators = [one for one in relations.operators if one.label == primitive.label]
-    led_to = [relations.state_named(one.promise.state).name for one in operators if one.promise]
+    led_to = [relations.state_named(one.promise.kind).name for one in operators if one.promise]
     about = [*symbols.aimed_action_in_words(primitive, gripper, "the other object")]
     about += [
         f"{one.name} with a third object {where}: {kept.kept} of {kept.trials} went so."
         for one in operators
         for how, where in _WITH_A_THIRD.items()
-        if (kept := one.company[how]).trials
+        if (kept := one.among(how)).trials
     ]
     title = f"brings pairs to {', '.join(dict.fromkeys(led_to)) or 'no state'}"
-    rows = (_pair_row(one, end, relations) for one in operators for end in one.ends)
+    rows = (_pair_row(one, end, relations) for one in operators for end in one.outcomes)
     return SymbolExplanation(primitive.label, title, " ".join(about), tuple(rows))
 
 
-def _pair_row(operator: RelationOperator, end: PairEnd, relations: RelationOperators) -> EffectRow:
-    reason, (x, y, z) = relations.left_out.get(operator.name), end.offset
+def _pair_row(operator: Operator, end: Mode, relations: RelationOperators) -> EffectRow:
+    reason, (x, y, z) = relations.left_out.get(operator.name), end.effect
     return EffectRow(
         operator=operator.name,
         trials=operator.trials,
-        promised=operator.promise.count if operator.promise else 0,
+        promised=operator.successes,
         share=end.share,
-        ends=relations.state_named(end.state).name if end.state else "elsewhere",
-        effect=f"({x:.2f}, {y:.2f}, {z:.2f}) touching units from the reference" if end.state else "",
-        spread="± " + ", ".join(f"{value:.2f}" for value in end.spread) if end.state else "",
+        ends=relations.state_named(end.kind).name if end.is_promising else "elsewhere",
+        effect=f"({x:.2f}, {y:.2f}, {z:.2f}) touching units from the reference" if end.is_promising else "",
+        spread="± " + ", ".join(f"{value:.2f}" for value in end.spread) if end.is_promising else "",
         domain=f"no: {reason}" if reason else "yes",
     )
 
@@ -239,7 +237,7 @@ def _pair_row(operator: RelationOperator, end: PairEnd, relations: RelationOpera
 def _about_state(state: PairState, relations: RelationOperators) -> str:
     numbers = ", ".join(f"{name} {value:.2f}" for name, value in zip(DESCRIPTION, state.centre, strict=False))
     borne = "The reference bears the target." if state.bears else "Nothing is borne."
-    names = [one.name for one in relations.operators if one.promise and one.promise.state == state.symbol]
+    names = [one.name for one in relations.operators if one.promise and one.promise.kind == state.symbol]
     led_to = f"Operators that lead to it: {', '.join(names)}." if names else "No operator leads to it."
     share = f"{state.share:.0%} of the pairs in fresh scenes are in it."
     return f"Typical of it: {numbers}. {borne} {share} {led_to}"
@@ -273,13 +271,13 @@ def explain_folder(domain: DomainFolder) -> Explanation:
     if world is None and (data := domain / layout.INTERACTIONS).is_file():
         names = tuple(Interactions.load(data).origin.get("feature_names", ()))  # of data of a user's own
     grounding = Grounding.load(file) if (file := domain / layout.GROUNDING).exists() else None
-    is_other = grounding and grounding.operators not in (table, with_every_outcome(table))
+    is_other = grounding and grounding.objects not in (table, with_every_outcome(table))
     left_out = grounding.why_left_out if grounding and not is_other else None
     _check_table(path, table)
     told = explain(table, feature_names=names, gripper=gripper, why_left_out=left_out)
     if (path := domain / layout.PLACE_OPERATORS).is_file():
-        places = PlaceOperators.load(path)
-        _check_table(path, places.operators)
+        places = PlaceFile.load(path).table()
+        _check_table(path, places)
         told = replace(told, carrying=explain_carrying(places, gripper))
         able = sum(any(row.promised for row in one.effects) for one in told.carrying)
         remarks.append(
@@ -287,7 +285,7 @@ def explain_folder(domain: DomainFolder) -> Explanation:
             f"promised is what stands within {1000 * TOLERANCE:.0f} mm of the promised spot beside the place."
         )
     if (path := domain / layout.RELATION_OPERATORS).is_file():
-        found = RelationOperators.load(path)
+        found = PairFile.load(path).table()
         told = replace(
             told,
             relating=tuple(_relating(one, found, gripper) for one in found.primitives),

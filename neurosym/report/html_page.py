@@ -14,7 +14,6 @@ import msgspec
 import numpy as np
 from PIL import Image
 
-from neurosym.colours import Palette
 from neurosym.errors import InvalidFile, InvalidValue, Progress, StageMissing, UnknownChoice
 from neurosym.evaluation.summary import comparisons_of
 from neurosym.execution.record import Run
@@ -43,7 +42,7 @@ from neurosym.stages.folder import Claim, DomainFolder, Stage, rehearsal_options
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import load_problem
 from neurosym.tasks.options import cost
-from neurosym.world import World
+from neurosym.world import Palette, World
 from neurosym.worlds.workers import worker_pool
 
 _T = TypeVar("_T")
@@ -59,7 +58,8 @@ _QUALITY = 80
 def _operator_rows(table: OperatorTable, grounding: Grounding | None) -> list[dict[str, Any]]:
     """List operators with what a step costs a planner, those of the domain first, if it was compiled."""
     rows = []
-    for operator in grounding.every_operator if grounding else table.operators:
+    known = [one for one in grounding.operators if one.frame != "pair"] if grounding else table.operators
+    for operator in known:
         reason = grounding.why_left_out(operator) if grounding else None
         domain = "" if grounding is None else f"no: {reason}" if reason else "yes"
         is_live = grounding is not None and reason is None
@@ -222,7 +222,7 @@ def _wanted(
         return wanted
     if (folder / layout.MODEL).is_file():
         objects, seed = rehearsal_options(folder.manifest())
-        uses, symbols = Counter(one.primitive for one in grounding.live), grounding.operators.symbols
+        uses, symbols = Counter(one.primitive for one in grounding.live), grounding.objects.symbols
         pictured = sorted(symbols, key=lambda symbol: -uses[symbol])[:_PICTURED]
         names = [("primitive", symbol) for symbol in symbols if symbol in pictured]
         for kind, what in (*names, *(("operator", one.name) for one in surest_carriers(grounding))):
@@ -266,7 +266,7 @@ def _pictures(
             except (InvalidValue, UnknownChoice) as error:
                 refusals[key] = str(error)
             progress(len(strips) + len(refusals), len(wanted))
-    symbols = grounding.operators.symbols if grounding and (folder / layout.MODEL).is_file() else ()
+    symbols = grounding.objects.symbols if grounding and (folder / layout.MODEL).is_file() else ()
     others = [one for one in symbols if ("primitive", one) not in wanted]
     return {
         "pictures": {what: strip for (kind, what), strip in strips.items() if kind == "primitive"},

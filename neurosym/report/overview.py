@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.colours import Colour, Palette
 from neurosym.data.interactions import Interactions
 from neurosym.grounding import Grounding
 from neurosym.learning.network import EffectModel
@@ -17,6 +16,7 @@ from neurosym.report.symbol_map import Atlas, atlas_of
 from neurosym.report.symbols import AXES, displacement_in_words
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
+from neurosym.world import Colour, Palette
 from neurosym.worlds.world_file import read_world
 
 _MOST_KINDS, _MOST_ACTIONS = 8, 16
@@ -119,7 +119,7 @@ def matrix_of(table: OperatorTable, atlas: Atlas | None, palette: Palette, uses:
     kinds = _ranked([one for one in table.categories if one.share])[:_MOST_KINDS]
     surest = dict[tuple[str, str], Operator]()
     for operator in table.operators:
-        surest.setdefault((operator.primitive, operator.category), operator)
+        surest.setdefault((operator.primitive, operator.subject), operator)
     shown = sorted(table.symbols, key=lambda symbol: -uses.get(symbol, 0))[:_MOST_ACTIONS]
     promises = [one.promise for one in surest.values() if one.promise]
     longest = max((abs(part) for one in promises for part in one.outcome), default=1.0) or 1.0
@@ -188,12 +188,10 @@ def promises_of(table: OperatorTable, grounding: Grounding | None) -> _Told | No
 
     Those of the domain, with what carries to places and puts on other objects, if it was compiled.
     """
-    tried = (*grounding.live, *grounding.carriers) if grounding else table.operators
-    kept = [(one.successes / one.trials, one.name, one.successes, one.trials) for one in tried if one.trials]
-    pairs = grounding.relations if grounding else None
-    for pair in pairs.operators if pairs else ():
-        if pairs and pair.promise and pair.trials and pair.name not in pairs.left_out:
-            kept.append((pair.promise.count / pair.trials, pair.name, pair.promise.count, pair.trials))
+    every = grounding.operators if grounding else table.operators
+    left = grounding.left_out if grounding else {}
+    tried = [one for one in every if one.trials and one.subject and one.name not in left]
+    kept = [(one.successes / one.trials, one.name, one.successes, one.trials) for one in tried]
     kept.sort(key=lambda one: (-one[0], one[1]))
     bars = [{"share": share, "name": name, "kept": k, "trials": n} for share, name, k, n in kept]
     return (

@@ -8,13 +8,12 @@ from typing import Any
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.colours import Palette
 from neurosym.errors import counted
 from neurosym.execution.record import Run, StepRecord
 from neurosym.operators import NO_EFFECT
 from neurosym.problems import Problem
 from neurosym.report.drawings import seen, solid
-from neurosym.world import Table
+from neurosym.world import Palette, Table
 
 _WIDTH, _HEIGHT, _TOP = 340, 250, 64  # of the picture, and the room above the table [pixels]
 _STEP, _END = 2.6, 2.4  # how long a step is shown, and how it ended [s]

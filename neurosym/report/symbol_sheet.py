@@ -5,7 +5,6 @@ from html import escape
 from itertools import product
 from typing import Any
 
-from neurosym.colours import CATEGORY_COLOURS, Palette
 from neurosym.grounding import Grounding
 from neurosym.operators import Category, Symbol
 from neurosym.report.drawings import (
@@ -19,6 +18,7 @@ from neurosym.report.drawings import (
 )
 from neurosym.report.symbol_map import Atlas
 from neurosym.report.symbols import displacement_in_words
+from neurosym.world import CATEGORY_COLOURS, Palette
 
 _COLUMN, _ROW = SIZE[0] + 16, SIZE[1] + 34  # of maps and the legend [pixels]
 _ACROSS, _CELL = 8, (84, 92)  # actions beside one another, and the size of an arrow's cell [pixels]
@@ -35,8 +35,8 @@ def symbol_sheet(atlas: Atlas, grounding: Grounding) -> str:
         atlas: Which objects have which code.
         grounding: The categories, of which those that have colours are shown, and the operators.
     """
-    symbols, palette = grounding.operators.symbols, Palette.of(grounding.operators.categories)
-    ranked = sorted(grounding.operators.categories, key=lambda one: (-one.share, one.symbol))
+    symbols, palette = grounding.objects.symbols, Palette.of(grounding.objects.categories)
+    ranked = sorted(grounding.objects.categories, key=lambda one: (-one.share, one.symbol))
     shown = ranked[: len(CATEGORY_COLOURS)]
     cells = [*_maps(atlas, palette), "".join(_legend(atlas, palette, shown))]
     places = [(8 + number % 2 * _COLUMN, 44 + number // 2 * _ROW) for number in range(len(cells))]
@@ -96,8 +96,8 @@ def _band(
     atlas: Atlas, grounding: Grounding, shown: Sequence[Category], symbols: Sequence[Symbol], top: float
 ) -> Iterable[str]:
     """Draw the effects of some actions, a column each, on all categories, a row each."""
-    table, palette = grounding.operators, Palette.of(grounding.operators.categories)
-    found = [(one.promise or mode).outcome for one in table.operators for mode in one.modes[:1]]
+    table, palette = grounding.objects, Palette.of(grounding.objects.categories)
+    found = [(one.promise or mode).outcome for one in table.operators for mode in one.outcomes[:1]]
     items = {
         one.symbol: tuple(next(iter(atlas.examples(one.symbol, 1)), ())) if is_body(atlas.features) else ()
         for one in shown
@@ -116,9 +116,9 @@ def _band(
         look |= {"width": _CELL[0], "height": _CELL[1]}
         for column, symbol in enumerate(symbols):
             operator = grounding.operator_for(category.symbol, symbol)
-            if operator is None or not operator.modes:
+            if operator is None or not operator.outcomes:
                 continue
-            end, kept = operator.promise or operator.modes[0], f"{operator.successes} of {operator.trials}"
+            end, kept = operator.promise or operator.outcomes[0], f"{operator.successes} of {operator.trials}"
             look["told"] = f"{operator.name}: {end.kind}, {displacement_in_words(end.outcome)}; {kept}"
             arrow = effect_drawing(end.outcome, chance=operator.chance, is_held=end.kind == "held", **look)
             yield _moved(_SIDE + column * _CELL[0], y, arrow)

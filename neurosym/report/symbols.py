@@ -22,13 +22,12 @@ from neurosym.operators import (
 )
 from neurosym.problems import SceneObject
 from neurosym.tasks.promises import usable
-from neurosym.world import OutcomeKind
 
 AXES = 3
 """Vectors of this many numbers are taken for x, y, z [m]."""
 _WAYPOINT = (False, False, False, True)  # x, y, z and a gripper value
 _OPEN = 0.5
-_ENDS: dict[OutcomeKind, str] = {
+_ENDS: dict[str, str] = {
     "resting": "at rest",
     "held": "held",
     "toppled": "on another face",

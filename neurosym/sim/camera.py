@@ -10,14 +10,12 @@ from functools import cached_property
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.colours import Painter, painted
 from neurosym.contract import POSE_SECONDS, Part, PartKind, Pose, PoseSink
 from neurosym.errors import InvalidValue
-from neurosym.operators import DOT_COLOURS, draw_dots
 from neurosym.sim.config import Arm, Client, TabletopConfig, boxes_of, loaded, pybullet
 from neurosym.sim.robot import Robot
 from neurosym.sim.simulation import Simulation
-from neurosym.world import Frame
+from neurosym.world import DOT_COLOURS, Frame, Painter, draw_dots, painted
 
 Colour = tuple[float, float, float, float]
 Depths = Float[np.ndarray, "height width"]

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.colours import Painter
 from neurosym.contract import Part, PoseSink
 from neurosym.errors import InvalidValue
 from neurosym.sim.arm_check import check_arm, check_lift
@@ -28,6 +27,7 @@ from neurosym.world import (
     Frame,
     FrameSink,
     Outcome,
+    Painter,
     Reference,
     ReferenceKind,
     Scene,

@@ -9,9 +9,9 @@ import msgspec
 
 from neurosym.errors import InvalidFile, InvalidValue, quoted
 from neurosym.files import make_folder, read_text, remove, write_atomically
+from neurosym.formats import PairFile, PlaceFile
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
-from neurosym.pair_operators import PlaceOperators, RelationOperators
 from neurosym.pddl.compiler import (
     GroundPlan,
     check_axes,
@@ -181,8 +181,8 @@ def compile_stage(
             cell=cell,
             table_bounds=world.table,
             lift_height=world.lift_height,
-            places=PlaceOperators.load(places) if has_places else None,
-            relations=RelationOperators.load(relations) if has_relations else None,
+            places=PlaceFile.load(places).table() if has_places else None,
+            relations=PairFile.load(relations).table() if has_relations else None,
         )
         write_atomically(folder / layout.DOMAIN, domain_text(grounding))
         write_atomically(folder / layout.NUMERIC_DOMAIN, domain_text(grounding, NUMERIC))

@@ -173,8 +173,7 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
     try:
         problem = problem.within(run.tolerance)
         for step in run.steps:
-            if not grounding.relation_named(step.operator):
-                grounding.operator_named(step.operator)
+            grounding.operator_named(step.operator)
         for name in (*(step.object for step in run.steps), *(nudge.object for nudge in run.nudges)):
             problem.object_named(name)
     except (InvalidValue, UnknownChoice) as error:

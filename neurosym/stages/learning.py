@@ -23,9 +23,10 @@ from neurosym.data.origin import (
 )
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted
 from neurosym.files import make_folder, write_json
+from neurosym.formats import PairFile, PlaceFile
 from neurosym.learning.training_config import PAIR_BITS, PLACE_BITS, STATE_BITS, Regime, regime_named
 from neurosym.operators import counted_axes
-from neurosym.pair_operators import PairStates, PlaceOperators, describe_pair
+from neurosym.pair_operators import PairStates, describe_pair
 from neurosym.primitives.audition import CHOICES
 from neurosym.stages import layout
 from neurosym.stages.console import progress_bar
@@ -69,6 +70,7 @@ class Aim:
         besides: Which other files of its own training writes and distilling reads.
         categories: The network that gives objects, or pairs, their symbols: a file of any aim.
         adapt: Has a world explored with such actions.
+        stored: Makes of a table what its file holds.
         origin: What the data say of it.
         learn: Learns what else there is to learn of the data; gives what goes into which file.
     """
@@ -85,6 +87,7 @@ class Aim:
     besides: tuple[str, ...] = ()
     categories: str = layout.MODEL
     adapt: Callable[[DomainFolder, WorldFactory], WorldFactory] = lambda _, factory: factory
+    stored: Callable[[Any], object] = lambda table: table
     origin: Mapping[str, Any] = field(default_factory=dict)
     learn: Callable[[DomainFolder, Interactions, Regime, int], dict[str, Any]] = lambda *_: {}
 
@@ -116,7 +119,7 @@ def _with_known_motions(folder: DomainFolder, factory: WorldFactory) -> WorldFac
     from neurosym.learning.network import EffectModel
 
     categorise = EffectModel.load(folder.require(layout.MODEL)).object_symbols
-    places = PlaceOperators.load(folder.require(layout.PLACE_OPERATORS))
+    places = PlaceFile.load(folder.require(layout.PLACE_OPERATORS)).table()
     return RelatedFactory(factory, KnownMotions(places, categorise, factory().action_box))
 
 
@@ -157,6 +160,7 @@ TO_PLACES = Aim(
     axes=PLACE_AXES,
     bits=PLACE_BITS,
     adapt=lambda _, factory: AimedFactory(factory),
+    stored=PlaceFile.holding,
     origin={"reference": "place"},
 )
 TO_OBJECTS = Aim(
@@ -172,6 +176,7 @@ TO_OBJECTS = Aim(
     besides=(layout.STATES,),
     categories=layout.RELATION_MODEL,
     adapt=_with_known_motions,
+    stored=PairFile.holding,
     origin={"reference": "object", "proposed": True},
     learn=_learn_states,
 )
@@ -314,7 +319,7 @@ def distill_stage(
                 )
         except NothingDistilled as error:
             raise InvalidFile(folder / of_model, "no action encodes to its symbol; train again") from error
-        write_json(folder / aim.table, found)
+        write_json(folder / aim.table, aim.stored(found))
 
     options = {"objects": objects, "seed": seed, **({} if aim.folder else {"choice": choice})}
     inputs = tuple(dict.fromkeys((layout.WORLD, aim.categories, of_model, of_network, data, *besides)))

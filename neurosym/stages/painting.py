@@ -6,11 +6,10 @@ from pathlib import Path
 import numpy as np
 
 from neurosym.checks import Float, UInt8
-from neurosym.colours import OTHER, Painted, Palette
 from neurosym.errors import NeurosymError
 from neurosym.grounding import Grounding
 from neurosym.stages.layout import GROUNDING, MODEL
-from neurosym.world import World
+from neurosym.world import OTHER, Painted, Palette, World
 from neurosym.worlds.world_file import read_world
 
 
@@ -31,7 +30,7 @@ def _paint(model: Path, grounding: Path, features: Float[np.ndarray, "M F"]) -> 
     from neurosym.learning.network import EffectModel
 
     try:
-        palette = Palette.of(Grounding.load(grounding).operators.categories)
+        palette = Palette.of(Grounding.load(grounding).objects.categories)
         return palette.of_all(EffectModel.load(model).object_symbols(features))
     except NeurosymError:
         return np.tile(np.array(OTHER, dtype=np.uint8), (len(features), 1))

@@ -66,7 +66,7 @@ def remarks_on_objects(folder: DomainFolder, problem: Problem, grounding: Ground
 
     Of other categories nothing is said if the folder has no network.
     """
-    if not grounding.operators.operators:
+    if not grounding.objects.operators:
         return
     for item in problem.objects:
         if not is_rehearsed(grounding.category(item.category), item.features):
@@ -217,6 +217,6 @@ def _prediction(folder: DomainFolder, grounding: Grounding) -> PredictEffects:
     """Return what the network of a folder predicts each primitive to do."""
     from neurosym.learning.network import EffectModel
 
-    symbols = grounding.operators.symbols
+    symbols = grounding.objects.symbols
     model = EffectModel.load(folder.require(MODEL))
     return lambda features: model.branching_table(features, symbols)

@@ -13,8 +13,8 @@ from neurosym.choices import AnyTask, TaskKind
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import digest
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Categorise
-from neurosym.pair_operators import LEAST_SHARE, PairStates, RelationOperators
+from neurosym.operators import LEAST_SHARE, TOLERANCE, Categorise
+from neurosym.pair_operators import PairStates, RelationOperators
 from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.problem_check import check_relations, relations_meant
 from neurosym.problems import Problem, RelationGoal
@@ -92,7 +92,7 @@ def draw_any_task(
 def _state_asked(asked: str, relations: RelationOperators) -> str:
     """Return the name of a state that is asked for, if operators of the domain bring pairs there."""
     state, left = relations.state_meant(asked), relations.left_out
-    promised = {one.promise.state for one in relations.operators if one.promise and one.name not in left}
+    promised = {one.promise.kind for one in relations.operators if one.promise and one.name not in left}
     if state.symbol not in promised:
         valid = [one.name for one in relations.states if one.symbol in promised]
         raise InvalidValue(
@@ -131,7 +131,7 @@ def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = No
     problem = with_pairs(problem, relations, sight)
     ways = dict[tuple[str, str], tuple[Way, ...]]()
     for target, other in permutations(problem.object_names, 2):
-        puts = [put for put in puts_for(problem, grounding, target, other) if put.kind]
+        puts = [put for put in puts_for(problem, grounding, target, other) if put.operator.subject]
         ways[target, other] = tuple(
             Way(
                 put.state.name,

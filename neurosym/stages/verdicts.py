@@ -130,7 +130,7 @@ def judge_operators(table: OperatorTable, usable: Collection[str] | None = None)
     """
     judged = [one for one in table.operators if one.promised is None]  # the others are the same, less likely
     sure = [one for one in judged if _is_mostly(one.successes, one.trials)]
-    acting = {one.category for one in sure if _acts(one) and (usable is None or one.name in usable)}
+    acting = {one.subject for one in sure if _acts(one) and (usable is None or one.name in usable)}
     idle = {one.name: one.share for one in table.categories if one.share and one.symbol not in acting}
     sentence = f"{len(sure)} of {counted(len(judged), 'operator')} keep their promise in most {table.trials}"
     if sure and idle:
@@ -146,7 +146,7 @@ def judge_operators(table: OperatorTable, usable: Collection[str] | None = None)
 def judge_domain(grounding: Grounding) -> Verdict:
     """Judge what a compiled domain can be planned with: as `judge_operators`, by the operators it has."""
     live = {operator.name for operator in grounding.live}
-    found = judge_operators(grounding.operators, live)
+    found = judge_operators(grounding.objects, live)
     sentence = f"{found.sentence}; the domain has {counted(len(live), 'operator')}"
     return msgspec.structs.replace(found, sentence=sentence)
 
@@ -158,9 +158,9 @@ def judge_relations(table: RelationOperators) -> Verdict:
     """
     bearing = {state.symbol for state in table.states if state.bears}
     served = {
-        one.pair
+        one.subject
         for one in table.operators
-        if (end := one.promise) and end.state in bearing and _is_mostly(end.count, one.trials)
+        if (end := one.promise) and end.kind in bearing and _is_mostly(end.count, one.trials)
     }
     share = sum(one.share for one in table.pairs if one.symbol in served)
     sentence = f"{share:.0%} of pairs are of a kind that an operator mostly puts on or into one another"

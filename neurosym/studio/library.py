@@ -93,7 +93,7 @@ class Library:
         """Give objects their symbols; without a network, that of the category that they are most like."""
         if self._model is not None:
             return self._model.object_symbols(features)
-        categories = self.grounding.operators.categories
+        categories = self.grounding.objects.categories
         known = [one for one in categories if one.feature_means]
         if not known:
             return (categories[0].symbol,) * len(features)

@@ -3,7 +3,6 @@
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from neurosym.colours import Palette
 from neurosym.grounding import Grounding
 from neurosym.pddl.strips import page
 from neurosym.report.symbols import displacement_in_words
@@ -21,6 +20,7 @@ from neurosym.studio.words import (
 from neurosym.tasks.options import put_named
 from neurosym.tasks.task import Task
 from neurosym.tasks.transition import PlanStep, apply, chance, cost, promise_of, start
+from neurosym.world import Palette
 
 STEPS = ("push", "lift", "put-down", "put-at", "put", "put-loaded")
 """Actions of the page of which each is one step of a plan."""
@@ -75,7 +75,7 @@ def _said(steps: Sequence[PlanStep], task: Task) -> str:
 def _bits(step: PlanStep, category: str, task: Task) -> str:
     """Return the bits of a category, or of a kind of pairs, and those of a primitive."""
     if put := put_named(step.operator, task.grounding):
-        return f"{put.operator.pair or 'any'} · {put.operator.label}"
+        return f"{put.operator.subject or 'any'} · {put.operator.label}"
     return f"{category} · {promise_of(step, task.problem, task.grounding).primitive}"
 
 

@@ -163,7 +163,7 @@ def ghost_spots(task: Task) -> dict[str, Vector]:
             _, reference, state_name = asked[name]
             state = task.state_named(state_name)
             puts = (put for put in _surest_first(task, name, reference) if put.state == state)
-            offset = next((put.end.offset for put in puts), (0.0, 0.0, state.centre[1]))
+            offset = next((put.end.effect for put in puts), (0.0, 0.0, state.centre[1]))
             # promised in sums of the half sizes of both
             halves = (extent(scene, names.index(name)) + extent(scene, names.index(reference))) / 2
             spots[name] = vector(np.add(spot_of(reference), np.multiply(offset, halves)))

@@ -61,7 +61,7 @@ class SymbolsPanel(Panel):
         self._happened = gui.add_html("")
         self._expected = gui.add_html("")
         with gui.add_folder("What if a bit flipped?", expand_by_default=False):
-            bits = len(next(iter(self.session.library.grounding.operators.categories)).symbol)
+            bits = len(next(iter(self.session.library.grounding.objects.categories)).symbol)
             self._flips = [gui.add_checkbox(f"Flip bit {number}", False) for number in range(1, bits + 1)]
             for flip in self._flips:
                 heard(flip, lambda _: self._show_flips())
@@ -147,7 +147,7 @@ class SymbolsPanel(Panel):
         flips = [flip.value for flip in self._flips]
         bits = zip(item.category, flips, strict=True)
         other = "".join("10"[int(bit)] if flip else bit for bit, flip in bits)
-        known = [one.symbol for one in grounding.operators.categories]
+        known = [one.symbol for one in grounding.objects.categories]
         sides = []
         for symbol, when in ((item.category, "as it is"), (other, "flipped"))[: 1 + any(flips)]:
             as_if = msgspec.structs.replace(item, category=symbol)

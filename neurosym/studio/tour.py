@@ -251,7 +251,7 @@ class TourPanel(Panel):
     def text(self) -> str:
         """Return the card, with the numbers of the domain, as HTML."""
         grounding, data = self.session.library.grounding, self.session.library.interactions
-        table, card = grounding.operators, self.cards[self.number]
+        table, card = grounding.objects, self.cards[self.number]
         values = {
             "interactions": f"{len(data):,}" if data else "many",
             "object_bits": len(table.categories[0].symbol) if table.categories else "some",

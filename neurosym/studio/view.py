@@ -13,7 +13,6 @@ import viser
 from scipy.spatial.transform import Rotation
 
 from neurosym.checks import Float
-from neurosym.colours import Colour, Palette
 from neurosym.contract import Part, Pose, Posed
 from neurosym.execution.record import StepRecord
 from neurosym.operators import Vector, vector
@@ -24,6 +23,7 @@ from neurosym.studio.messages import Seen, Tried
 from neurosym.studio.scene_editor import ghost_spots
 from neurosym.studio.words import plain_name, step_in_words
 from neurosym.tasks.task import understand
+from neurosym.world import Colour, Palette
 
 _Numbers = Sequence[float] | Float[np.ndarray, "N"]
 _TABLE, _BORDER, _ARM, _BAD = (178, 160, 136), (110, 94, 74), (199, 204, 212), (220, 50, 47)
@@ -238,7 +238,7 @@ class View:
         grabbed: Callable[[str, str], Callable[[Any], Any]] | None = None,
     ):
         self._scene, self._library, self._grabbed = scene, library, grabbed
-        self.palette = Palette.of(library.grounding.operators.categories)
+        self.palette = Palette.of(library.grounding.objects.categories)
         self._objects: dict[str, _Thing] = {}
         self._goals: dict[str, _Thing] = {}
         self._labels: dict[str, viser.LabelHandle] = {}

@@ -10,13 +10,13 @@ from html import escape
 from itertools import zip_longest
 from pathlib import Path
 
-from neurosym.colours import Palette
 from neurosym.errors import counted, harmless
 from neurosym.execution.record import Replanning, Run, StepRecord
 from neurosym.grounding import Grounding
 from neurosym.problems import Problem, RelationGoal
 from neurosym.report.symbols import Promise, displacement_in_words
 from neurosym.stages.plan_records import PlanRecord
+from neurosym.world import Palette
 
 GOOD, BAD, DIM = "var(--good)", "var(--bad)", "var(--dim)"
 """Colours of the page's style, which suit light and dark."""
@@ -88,7 +88,7 @@ def three_numbers(effect: Sequence[float]) -> str:
 
 def plain_name(symbol: str, grounding: Grounding) -> str:
     """Return what a category is called, without its bits."""
-    categories = grounding.operators.categories
+    categories = grounding.objects.categories
     name = next((one.name for one in categories if one.symbol == symbol), "of no known category")
     return name.removesuffix(f"-{symbol}")
 
@@ -157,7 +157,7 @@ def bar(share: float) -> str:
 
 def legend(grounding: Grounding, palette: Palette, here: str = "") -> str:
     """Return the categories with their colours, codes, names and shares; `here` is the one at hand."""
-    every = sorted(grounding.operators.categories, key=lambda one: (-one.share, one.symbol))
+    every = sorted(grounding.objects.categories, key=lambda one: (-one.share, one.symbol))
     rows = [
         (
             swatch(palette.hex(one.symbol)),

@@ -11,8 +11,8 @@ from functools import lru_cache
 from typing import Literal
 
 from neurosym.grounding import Cells, Grounding, is_lift
-from neurosym.operators import TOLERANCE, Category, Operator, Symbol, smoothed
-from neurosym.pair_operators import FAINT, Case, PairEnd, PairState, RelationOperator, RelationOperators
+from neurosym.operators import ANY_KIND, TOLERANCE, Mode, Operator, Symbol
+from neurosym.pair_operators import FAINT, Case, PairState
 from neurosym.problems import Problem, SceneObject, pair_key
 from neurosym.tasks.promises import LEAST_CHANCE, promised, usable
 
@@ -73,14 +73,13 @@ def step_cost(operator: Operator, grounding: Grounding, *, borne: bool = False) 
     """Return what a step costs in a domain, 1 with unit costs; its object may be borne by another one."""
     if grounding.unit_costs:
         return 1
-    more = math.log(chance_borne(operator, grounding) / operator.chance) if borne else 0.0
+    more = math.log(chance_borne(operator) / operator.chance) if borne else 0.0
     return _price(operator.chance) + round(-100 * more)
 
 
-def chance_borne(operator: Operator, grounding: Grounding) -> float:
+def chance_borne(operator: Operator) -> float:
     """Return the chance that an object is carried to a place as promised from where another one bears it."""
-    kept = grounding.company(operator).get("borne")
-    return min(operator.chance, smoothed(kept.kept, kept.trials) if kept and kept.trials else 1.0)
+    return min(operator.chance, operator.among("borne").chance)
 
 
 SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)
@@ -93,11 +92,9 @@ _NEVER = 0.01  # as how rare counts what was never seen
 class Put:
     """An operator on pairs as it is planned with."""
 
-    operator: RelationOperator  # the operator
-    end: PairEnd  # how it promises to turn out
+    operator: Operator  # the operator
+    end: Mode  # how it promises to turn out
     state: PairState  # the state that the pair ends in
-    # the kind of pairs that it is for; None if it is for any of which something is foreseen
-    kind: Category | None
     # in which share of the cases it is foreseen to keep its promise with the pair at hand, one of `SHARES`;
     # None where nothing is foreseen, and it does as with others of their kind
     foreseen: float | None = None
@@ -122,11 +119,8 @@ class Put:
     def chance(self) -> float:
         """The chance that a step goes as promised, by what rehearsals in company showed."""
         usual = self.operator.chance
-        found = usual if self.foreseen is None else self.foreseen
-        for how, kept in self.operator.company.items():
-            if how in self.case and kept.trials:
-                found *= min(1.0, smoothed(kept.kept, kept.trials) / usual)
-        return found
+        among = (min(1.0, kept.chance / usual) for how, kept in self.operator.company if how in self.case)
+        return math.prod(among, start=usual if self.foreseen is None else self.foreseen)
 
     def cost(self, grounding: Grounding) -> int:
         """Return what a step costs in a domain; see `step_cost`."""
@@ -136,10 +130,7 @@ class Put:
 @lru_cache(maxsize=8)
 def puts_of(grounding: Grounding) -> tuple[Put, ...]:
     """List the operators on pairs that the domain has, by name."""
-    if (table := grounding.relations) is None:
-        return ()
-    every = (one for one in table.every_operator if one.name not in table.left_out)
-    return tuple(_put(one, table) for one in sorted(every, key=lambda one: one.name))
+    return tuple(put for one in grounding.live_on("pair") if (put := put_named(one.name, grounding)))
 
 
 def puts_for(
@@ -157,14 +148,12 @@ def puts_for(
     fitting = [
         put.with_pair(problem, target, reference) for put in puts_of(grounding) if put.operator.is_for(kind)
     ]
-    own = dict[str, float]()
-    for put in fitting:
-        if put.kind:
-            own[put.state.name] = max(own.get(put.state.name, 0.0), put.chance)
+    ranked = sorted(fitting, key=lambda put: put.chance)
+    own = {put.state.name: put.chance for put in ranked if put.operator.subject}
     at_hand = [
         put
         for put in fitting
-        if put.kind or (put.foreseen is not None and put.chance > own.get(put.state.name, 0.0))
+        if put.operator.subject or (put.foreseen is not None and put.chance > own.get(put.state.name, 0.0))
     ]
     likely = [put for put in at_hand if put.share >= LEAST_CHANCE]
     known = {put.state.symbol for put in likely}
@@ -177,22 +166,17 @@ def puts_for(
         and put.state.symbol not in known
         and shares.get(put.name, 0.0) >= FAINT
     ]
-    by_sureness = sorted(likely, key=lambda put: (put.chance, put.kind is not None, put.name))
+    by_sureness = sorted(likely, key=lambda put: (put.chance, put.operator.subject != ANY_KIND, put.name))
     surest = {put.operator.case: put for put in by_sureness}
     return tuple(put for put in at_hand if surest.get(put.operator.case) is put)
 
 
 def put_named(name: str, grounding: Grounding) -> Put | None:
     """Return an operator on pairs that promises something, in the domain or not; None if it does not."""
-    table, found = grounding.relations, grounding.relation_named(name)
-    return _put(found, table) if table and found and found.promise else None
-
-
-def _put(operator: RelationOperator, table: RelationOperators) -> Put:
-    end = operator.promise
-    assert end is not None, f"{operator.name} promises nothing"
-    kind = next((one for one in table.pairs if one.symbol == operator.pair), None)
-    return Put(operator, end, table.state_named(end.state), kind)
+    found = grounding.operator_named(name.removeprefix(PUT_DOWN))
+    if found.frame == "pair" and found.promise and grounding.relations:
+        return Put(found, found.promise, grounding.relations.state_named(found.promise.kind))
+    return None
 
 
 def nearest_share(share: float) -> float:
@@ -206,12 +190,10 @@ def carriers_for(item: SceneObject, grounding: Grounding, tolerance: float) -> t
     How sure they are counts what rehearsals beside others showed, since a scene may hold others.
     """
     of_item = promised(grounding, item, tolerance)
-    found = [of_item[one.name] for one in grounding.carriers if one.category == item.category]
+    found = [of_item[one.name] for one in grounding.live_on("place") if one.is_for(item.category)]
     fit = [one for one in found if one.successes >= LEAST_CHANCE * one.trials and one.successes]
 
     def effort(operator: Operator) -> tuple[float, str]:
-        beside = grounding.company(operator).get("beside")
-        share = beside.share if beside else 1.0
-        return step_cost(operator, grounding) / (share or _NEVER), operator.name
+        return step_cost(operator, grounding) / (operator.among("beside").share or _NEVER), operator.name
 
     return tuple(sorted(fit, key=effort))

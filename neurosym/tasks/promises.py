@@ -65,8 +65,8 @@ def rehearsed_objects(operator: Operator, category: Category) -> tuple[tuple[flo
 
 def fits_of(grounding: Grounding) -> dict[str, Choice]:
     """Fit the rehearsals of all operators of a domain, and return what that came to, by name."""
-    every = grounding.every_operator
-    fitted = {one.name: _regression(one, grounding.category(one.category)) for one in every}
+    every = (one for one in grounding.operators if one.frame != "pair")
+    fitted = {one.name: _regression(one, grounding.category(one.subject)) for one in every}
     return {name: regression.choice for name, regression in fitted.items() if regression}
 
 
@@ -98,8 +98,7 @@ def _promised(
     grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float
 ) -> Mapping[str, Operator]:
     learned = grounding.category(category)
-    own = [one for one in grounding.every_operator if one.category == category]
-    is_known = is_rehearsed(learned, features)
+    own, is_known = grounding.operators_on(category), is_rehearsed(learned, features)
     promises = [_refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own]
     return MappingProxyType({one.name: one for one in promises})
 
@@ -133,8 +132,8 @@ def _refined(
         resting_effect=resting,
         resting_spread=resting_spread,
     )
-    modes = tuple(mode if other is promise else other for other in operator.modes)
-    return msgspec.structs.replace(operator, modes=modes, rehearsals=(), objects=())
+    outcomes = tuple(mode if other is promise else other for other in operator.outcomes)
+    return msgspec.structs.replace(operator, outcomes=outcomes, rehearsals=(), objects=())
 
 
 @lru_cache(maxsize=2048)

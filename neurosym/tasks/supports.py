@@ -13,7 +13,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.errors import InvalidValue
-from neurosym.operators import Category, Symbol
+from neurosym.operators import Category, Symbol, labelled
 from neurosym.pair_operators import (
     FAINT,
     FAINTEST,
@@ -111,21 +111,21 @@ def _foreseen(
             "one of the same training: `neurosym distill` and `neurosym compile-domain`."
         )
     cases = [
-        (row, operator, order.index(operator.promise.state))
+        (row, operator, order.index(operator.promise.kind))
         for row, kind in enumerate(kinds)
         for operator in relations.every_operator
-        if operator.is_for(kind) and operator.promise and operator.promise.state in order
+        if operator.is_for(kind) and operator.promise and operator.promise.kind in order
     ]
     found: list[dict[str, float]] = [{} for _ in kinds]
     if not cases or not sight.chances:
         return found
-    actions = np.array([relations.primitive_of(operator).action for _, operator, _ in cases])
+    actions = np.array([labelled(relations.primitives, operator.label).action for _, operator, _ in cases])
     predicted = sight.chances(features[[row for row, *_ in cases]], actions)
     known = {(row, column): 0.0 for row, _, column in cases}
     faint: dict[tuple[int, int], list[tuple[float, str]]] = {case: [] for case in known}
     for (row, operator, column), of_states in zip(cases, predicted, strict=True):
         chance = float(of_states[column])
-        share = chance if operator.pair else share_with_any(chance)
+        share = chance if operator.subject else share_with_any(chance)
         if share is None:
             faint[row, column].append((chance, operator.name))
             continue
@@ -243,7 +243,7 @@ def known_bearers(problem: Problem, relations: RelationOperators) -> dict[str, B
 
 def _known_ends(relations: RelationOperators) -> set[tuple[Symbol, Symbol]]:
     """List the kinds of pairs and the states that some operator was seen to bring them to."""
-    return {(one.pair, end.state) for one in relations.operators for end in one.ends}
+    return {(one.subject, end.kind) for one in relations.operators for end in one.outcomes}
 
 
 def chain_below(name: str, bearers: Mapping[str, Borne]) -> tuple[str, ...]:

@@ -5,18 +5,18 @@ step leads is what its operator promises for the object or pair at hand, whateve
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, partial
+from functools import cache
 from statistics import NormalDist
 
 import numpy as np
 
 from neurosym.checks import Float, check_kind
-from neurosym.errors import counted, in_millimetres
+from neurosym.errors import InvalidValue, UnknownChoice, counted, in_millimetres, shortened
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import TOLERANCE, Operator
-from neurosym.pair_operators import Company, case_of, extent
+from neurosym.pair_operators import case_of, extent
 from neurosym.problems import Problem, pair_key
 from neurosym.tasks.options import PUT_DOWN, Put, chance_borne, put_named, step_cost
 from neurosym.tasks.promises import promised
@@ -157,7 +157,7 @@ def apply(task: Task, state: State, step: PlanStep) -> State:
         other = task.names.index(step.place)
         now = Scene(scene.features, state.positions, scene.orientations)
         halves = (extent(now, row) + extent(now, other)) / 2
-        spot = state.positions[other] + np.array(put.end.offset) * halves
+        spot = state.positions[other] + np.array(put.end.effect) * halves
         supports[target] = Borne(step.place, put.state)
     else:  # who carries it makes up for where it hangs from the hand
         spot = np.array([*task.flat.place_named(step.place), extent(scene, row)[2] / 2])
@@ -187,7 +187,7 @@ def chance(task: Task, state: State, step: PlanStep) -> float:
     if put := _put(task, state, step):
         return put.chance
     operator = promise_of(step, task.problem, task.grounding)
-    return chance_borne(operator, task.grounding) if step.object in state.supports else operator.chance
+    return chance_borne(operator) if step.object in state.supports else operator.chance
 
 
 def cost(task: Task, state: State, step: PlanStep) -> int:
@@ -222,9 +222,9 @@ def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
     held, number = None, 0
     for step in steps:
         number = max(1, number + (not step.puts_down))
-        if grounding.relation_named(step.base):
-            continue
         operator = grounding.operator_named(step.base)
+        if operator.frame == "pair":
+            continue
         if operator.promise and (problem := _hand_refusal(step, held, operator)):
             return f"step {number}, {step.operator} {step.object}: {problem}"
         held = step if is_lift(operator) and not step.puts_down else None
@@ -243,15 +243,32 @@ def _hand_refusal(step: PlanStep, held: PlanStep | None, operator: Operator | No
 
 def _why_no_step(task: Task, step: PlanStep) -> str:
     """Say what a step lacks, or names too much, whatever the state is; nothing if it is whole."""
-    if task.grounding.relation_named(step.base):
+    frame = task.grounding.operator_named(step.base).frame
+    if frame == "pair":
         if not step.place:
             return "it does not name the other object"
         task.problem.object_named(step.place)
         return "it names its own object as the other one" if step.place == step.object else ""
-    carries = task.grounding.carries(task.grounding.operator_named(step.base))
-    if carries and not step.place:
-        return "it does not name the place"
-    return f"it names the place {step.place}, and goes to none" if step.place and not carries else ""
+    if frame == "place":
+        return "" if step.place else "it does not name the place"
+    return f"it names the place {step.place}, and goes to none" if step.place else ""
+
+
+def check_aims(problem: Problem, grounding: Grounding, plan: Sequence[PlanStep], free: bool = False) -> None:
+    """Refuse steps that carry an object nowhere, to what is not there, or off the table unless they may."""
+    for step in plan:
+        frame = grounding.operator_named(step.base).frame
+        if frame == "pair":
+            others = [name for name in problem.object_names if name != step.object]
+            if step.place not in others:
+                raise UnknownChoice("other object", step.place, others)
+        elif frame == "place":
+            place = problem.place_named(step.place)
+            if not free:
+                grounding.table.check(step.place, *place)
+        elif step.place:
+            said = f"{step.operator} carries nothing, so it cannot lead to {shortened(step.place)}."
+            raise InvalidValue(said)
 
 
 def _put(task: Task, state: State, step: PlanStep) -> Put | None:
@@ -279,7 +296,7 @@ def _refusals(task: Task, state: State, step: PlanStep) -> Iterator[Refusal]:
         own = promised(task.grounding, task.problem.object_named(target), task.problem.tolerance)
         if step.operator not in own:
             yield _wrong(f"it is not for {target}")
-        yield from _why_not_taken(state, target, partial(task.grounding.takes, own[step.operator]))
+        yield from _why_not_taken(state, target, own[step.operator])
     elif task.relates:
         yield Refusal("it neither puts its object on another nor carries it to a place")
     else:  # nobody rehearsed to push or lift what bears something or is borne
@@ -306,15 +323,15 @@ def _why_not_put(task: Task, state: State, step: PlanStep, put: Put) -> Iterator
         yield _wrong(said, reference)
     if loads_of(target, state.supports) and reference not in state.stands:
         yield _wrong(f"{target} bears something, and {reference} stands at no place", reference)
-    yield from _why_not_taken(state, target, put.operator.takes)
+    yield from _why_not_taken(state, target, put.operator)
 
 
-def _why_not_taken(state: State, target: str, takes: Callable[[Company], bool]) -> Iterator[Refusal]:
+def _why_not_taken(state: State, target: str, operator: Operator) -> Iterator[Refusal]:
     borne = state.supports.get(target)
-    if borne and not takes("borne"):
+    if borne and not operator.takes("borne"):
         yield _wrong(f"{target} rests on {borne.by}, which rehearsals forbid", borne.by)
     for load in loads_of(target, state.supports):
-        if not takes("laden"):
+        if not operator.takes("laden"):
             yield _wrong(f"{target} bears {load}, which rehearsals forbid", load)
 
 
@@ -363,9 +380,8 @@ def expected_within(steps: Sequence[PlanStep], problem: Problem, grounding: Grou
     last = {step.object: number for number, step in enumerate(performed)}
     done, again = list[float](), list[float]()
     for number, (step, kept) in enumerate(zip(performed, chances, strict=True)):
-        is_put = grounding.relation_named(step.base) is not None
-        modes = () if is_put else promise_of(step, problem, grounding).modes
-        lost = math.fsum(mode.share for mode in modes if mode.kind == "lost")
+        outcomes = promise_of(step, problem, grounding).outcomes
+        lost = math.fsum(one.share for one in outcomes if one.kind == "lost")
         if number == last[step.object] and step.object in problem.goals:
             kept *= _chance_at_goal(task, step.object, steps, end)
         done.append(kept)
@@ -390,7 +406,7 @@ def _followed(task: Task, steps: Sequence[PlanStep]) -> tuple[list[float], Float
 
 def _chance_at_goal(task: Task, name: str, steps: Sequence[PlanStep], end: Float[np.ndarray, "M 3"]) -> float:
     """Return the chance that an object ends within its goal, by the steps that decide where that is."""
-    own = [step for step in steps if step.object == name and not task.grounding.relation_named(step.base)]
+    own = [step for step in steps if step.object == name]
     miss = end[task.names.index(name)] - task.problem.goals[name]
     return chance_inside(miss, spread_of(own, task.problem, task.grounding), task.problem.tolerance)
 
@@ -399,8 +415,8 @@ def spread_of(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding)
     """Return the standard deviation of where the steps with an object lead [m]."""
     variance = np.zeros(3)
     for number, step in enumerate(steps, start=1):
-        promise = promise_of(step, problem, grounding).promise
-        if not step.puts_down and promise is not None:
+        operator = promise_of(step, problem, grounding)
+        if not step.puts_down and operator.frame != "pair" and (promise := operator.promise):
             if step.place:  # wherever the object was, it is carried to the same spot
                 variance[:2] = 0
             ends_held = promise.kind == "held" and number == len(steps)

@@ -12,8 +12,8 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.contract import made
-from neurosym.operators import Categorise, Symbol, symbols_of
-from neurosym.pair_operators import PlaceOperators, tilt
+from neurosym.operators import Categorise, OperatorTable, Symbol, symbols_of
+from neurosym.pair_operators import tilt
 from neurosym.world import (
     ActionBox,
     OtherObject,
@@ -345,19 +345,19 @@ class KnownMotions:
         box: What actions must stay inside.
     """
 
-    places: PlaceOperators
+    places: OperatorTable
     categorise: Categorise
     box: ActionBox
 
     @cached_property
     def _of_category(self) -> dict[Symbol, Float[np.ndarray, "P A"]]:
-        table, found = self.places.operators, dict[Symbol, list[Float[np.ndarray, "A"]]]()
-        actions = {one.label: one.action for one in table.primitives}
-        for one in table.operators:
+        found = dict[Symbol, list[Float[np.ndarray, "A"]]]()
+        actions = {one.label: one.action for one in self.places.primitives}
+        for one in self.places.operators:
             if one.promise and one.promise.kind == "carried" and 2 * one.successes > one.trials:
                 to_the_middle = np.array(actions[one.label])
                 to_the_middle[-_LAST:][:2] -= one.promise.resting_effect[:2]
-                found.setdefault(one.category, []).append(to_the_middle)
+                found.setdefault(one.subject, []).append(to_the_middle)
         return {category: np.array(rows) for category, rows in found.items()}
 
     def __call__(

@@ -27,20 +27,21 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from neurosym.checks import Float
-from neurosym.colours import Painter, painted
 from neurosym.contract import ObjectLimits
 from neurosym.errors import InvalidValue
-from neurosym.operators import draw_dots
 from neurosym.world import (
     Frame,
     FrameSink,
     Outcome,
+    Painter,
     Reference,
     ReferenceKind,
     Scene,
     Table,
     centre_of,
     check_action,
+    draw_dots,
+    painted,
     three_waypoints,
 )
 

@@ -23,7 +23,7 @@ from neurosym.world import three_waypoints
 
 def test_shipped_domain_is_explained_under_its_own_names():
     rows = [row for action in explain_folder(FOLDER).actions for row in action.effects]
-    learned = [operator for operator in GROUNDING.operators.operators if operator.promised is None]
+    learned = [operator for operator in GROUNDING.objects.operators if operator.promised is None]
     assert {row.operator for row in rows} == {operator.name for operator in learned}
     live = {operator.name for operator in GROUNDING.live}
     assert all((row.domain == "yes") == (row.operator in live) for row in rows)
@@ -63,8 +63,8 @@ def test_every_symbol_is_printed_and_what_is_left_out_with_its_reason(kept, tmp_
     assert neurosym("explain", kept, "--all") == 0
     lines = capsys.readouterr().out
     said, learned = " ".join(lines.split()), Grounding.load(kept / "grounding.json")
-    assert all(f"Action symbol {one.symbol}: " in said for one in learned.operators.primitives)
-    assert all(f"Object symbol {one.symbol}: {one.name}" in said for one in learned.operators.categories)
+    assert all(f"Action symbol {one.symbol}: " in said for one in learned.objects.primitives)
+    assert all(f"Object symbol {one.symbol}: {one.name}" in said for one in learned.objects.categories)
     assert "next: neurosym show" in said
     assert learned.left_out
     for name, reason in learned.left_out.items():

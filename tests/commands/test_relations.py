@@ -10,6 +10,7 @@ from command_line import neurosym, refusal
 from toy_relations import LIE, PUT_ON, REST, grounding, relations, sorting, tower, tower_at_place
 
 from neurosym.execution.record import this_machine
+from neurosym.formats import PairFile, PlaceFile
 from neurosym.pddl.compiler import problem_text
 from neurosym.problems import Problem
 
@@ -88,10 +89,10 @@ def test_relations_that_cannot_be_read_are_refused(bare, capsys):
 
 def test_compiled_page_holds_relations_and_files_of_earlier_versions_are_removed(bare):
     (bare / "relations").mkdir()
-    (bare / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
-    (bare / "primitives.json").write_bytes(msgspec.json.encode(grounding().operators))
+    (bare / "relations/operators.json").write_bytes(msgspec.json.encode(PairFile.holding(relations())))
+    (bare / "primitives.json").write_bytes(msgspec.json.encode(grounding().objects))
     (bare / "places").mkdir()
-    (bare / "places/operators.json").write_bytes(msgspec.json.encode(grounding().places))
+    (bare / "places/operators.json").write_bytes(msgspec.json.encode(PlaceFile.holding(grounding().places)))
     made(bare, tower())
     former = ("domain-operators.pddl", "domain-places.planviz.json", "problems/tower.relational.pddl")
     for file in former:
@@ -107,8 +108,8 @@ def test_compiled_page_holds_relations_and_files_of_earlier_versions_are_removed
 def test_explanation_says_what_states_kinds_and_actions_mean(bare, capsys):
     (bare / "grounding.json").unlink()
     (bare / "relations").mkdir()
-    (bare / "relations/operators.json").write_bytes(msgspec.json.encode(relations()))
-    (bare / "primitives.json").write_bytes(msgspec.json.encode(toy_domain.grounding().operators))
+    (bare / "relations/operators.json").write_bytes(msgspec.json.encode(PairFile.holding(relations())))
+    (bare / "primitives.json").write_bytes(msgspec.json.encode(toy_domain.grounding().objects))
     assert neurosym("explain", bare, "--all") == 0
     said = " ".join(capsys.readouterr().out.split())
     assert "one object bears another in rests-on-001, lies-in-010. Of 3 operators on pairs, 2 are in" in said

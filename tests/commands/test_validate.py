@@ -196,7 +196,7 @@ def idle_network(monkeypatch: pytest.MonkeyPatch) -> None:
     """A network that predicts of every primitive that it moves nothing."""
 
     def idle(_folder, grounding):
-        return lambda features: np.zeros((len(features), len(grounding.operators.symbols), 3))
+        return lambda features: np.zeros((len(features), len(grounding.objects.symbols), 3))
 
     monkeypatch.setattr(planning, "_prediction", idle)
 

@@ -50,8 +50,8 @@ def test_plan_that_keeps_its_promises_reaches_the_goal(has_goal, plan, happened,
 
 def test_broken_promise_is_told_with_what_happened_instead():
     true = grounding()
-    primitives = tuple(Primitive(p.symbol, LEFT, 0.0) for p in true.operators.primitives)
-    wrong = replace(true, operators=replace(true.operators, primitives=primitives))
+    primitives = tuple(Primitive(p.symbol, LEFT, 0.0) for p in true.objects.primitives)
+    wrong = replace(true, objects=replace(true.objects, primitives=primitives))
     run = execute(WORLD, problem({"item-01": (0.6, 0.0, 0.225)}), wrong, [LIFT])
     assert not run.reached
     assert not run.steps[0].as_promised
@@ -66,7 +66,7 @@ def test_broken_promise_is_told_with_what_happened_instead():
 
 
 def test_step_that_ends_far_from_its_promise_is_not_as_promised_though_it_ends_alike():
-    (mode,) = grounding().operator_named(PUSH_LEFT.operator).modes
+    (mode,) = grounding().operator_named(PUSH_LEFT.operator).outcomes
     short = replace(mode, resting_effect=(0.0, 0.02, 0.0))  # 60 mm too little
     wrong = tables.with_modes(PUSH_LEFT.operator, short, learned=grounding())
     (step,) = execute(WORLD, problem({"item-01": (0.6, 0.08, 0.025)}), wrong, [PUSH_LEFT]).steps
@@ -106,7 +106,7 @@ def test_category_is_that_of_rehearsed_objects_of_such_sizes():
     kept = {"00": (deep,), "11": (wide,)}
     table = tables.table()
     categories = tuple(replace(one, objects=kept[one.symbol]) for one in table.categories)
-    learned: Grounding = replace(tables.grounding(), operators=replace(table, categories=categories))
+    learned: Grounding = replace(tables.grounding(), objects=replace(table, categories=categories))
     assert as_it_shows(lying(5), learned).category == "00"
     assert as_it_shows(lying(95), learned).category == "11"
 

@@ -132,8 +132,8 @@ def test_pair_that_failed_again_and_again_is_given_up():
 def test_after_an_operator_failed_twice_with_a_pair_another_one_is_tried():
     learned = grounding()
     first = learned.relations.operators[0]
-    (end,) = first.ends
-    second = replace(first, name="second", ends=(replace(end, count=18),))
+    (end,) = first.outcomes
+    second = replace(first, name="second", outcomes=(replace(end, count=18, near_mean=18),))
     both = replace(learned.relations, operators=(first, second, *learned.relations.operators[1:]))
     learned = replace(learned, relations=both)
     steps = plan(tower(), learned).steps

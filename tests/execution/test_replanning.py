@@ -47,7 +47,10 @@ def test_plan_that_misses_the_goal_is_replaced_before_it_begins():
 
 
 def test_object_held_in_vain_is_put_down_before_anything_else():
-    task, (mode,) = problem({"item-01": (0.68, 0.0, 0.225)}), grounding().operator_named(LIFT.operator).modes
+    task, (mode,) = (
+        problem({"item-01": (0.68, 0.0, 0.225)}),
+        grounding().operator_named(LIFT.operator).outcomes,
+    )
     wrong = with_modes(LIFT.operator, replace(mode, effect=(0.08, 0.0, 0.2)), learned=grounding())
     run = execute(WORLD, task, wrong, [LIFT], replanner=replanner)
     assert run.reached

@@ -57,7 +57,7 @@ def draw(number: int, kind: Kind | None = None, objects: int | None = None) -> D
     if kind == "random" or (kind == "tiny" and rng.random() < 0.5) or not goals:
         walked, goals = (), anywhere(problem, grounding, rng)
     if kind == "bystander":
-        problem = _with_stone(problem, goals, grounding.operators.categories[-1].symbol, rng)
+        problem = _with_stone(problem, goals, grounding.objects.categories[-1].symbol, rng)
     problem = replace(problem, goals=goals)
     scene_json = read_text(msgspec.json.encode(problem).decode())
     known = walked if walked and not replay(domain_json, scene_json, walked)[0] else None
@@ -152,7 +152,7 @@ def _items(
             )
         elif rng.random() < 0.04:
             x = round(table.x[1] + float(rng.uniform(0.0, 0.09)), 4)
-        categories = grounding.operators.categories
+        categories = grounding.objects.categories
         stone = rng.random() < 0.1 and found
         category = categories[-1] if stone else categories[rng.integers(len(categories) - 1)]
         height = round(float(rng.uniform(0.02, 0.08)), 3)

@@ -95,7 +95,9 @@ def test_without_costs_steps_are_few_rather_than_safe(planner: str):
     """Two safe pushes instead of one lift that fails as often as not."""
     learned = tables.grounding()
     lift = learned.operator_named("lift-010-block")
-    rare = replace(lift.modes[0], near_mean=7, effect=(0.142, -0.02, 0.2), resting_effect=(0.142, -0.02, 0.0))
+    rare = replace(
+        lift.outcomes[0], near_mean=7, effect=(0.142, -0.02, 0.2), resting_effect=(0.142, -0.02, 0.0)
+    )
     risky = tables.with_modes(lift.name, rare)
     cube = tables.item("item-01", 0.45, 0.0)
     away = Problem("p", (cube,), {"item-01": (0.592, -0.02, 0.025)}, tolerance=0.02)
@@ -119,8 +121,8 @@ def learned(cost_of_farther: int) -> Grounding:
     known = tables.grounding()
     mode = tables.mode((0.1113, -0.0124, 0.0), near=cost_of_farther)
     farther = Operator(FARTHER.operator, "00", "111", 20, (mode,))
-    table = replace(known.operators, operators=(*known.operators.operators, farther))
-    return replace(known, operators=table)
+    table = replace(known.objects, operators=(*known.objects.operators, farther))
+    return replace(known, objects=table)
 
 
 def task(goal: float = 0.45 + 0.1113) -> Problem:

@@ -117,7 +117,7 @@ def test_seconds_that_somebody_measured_are_printed_instead():
 
 def test_carrying_in_the_simulator_takes_no_longer_than_is_said(monkeypatch):
     """What is measured is what the hand does; the world settles besides."""
-    world, operator = Tabletop(), PLACES.carriers[0]
+    world, operator = Tabletop(), PLACES.live_on("place")[0]
     settling, simulations, settle = [0], [], Simulation.settle
 
     def counted(simulation: Simulation) -> None:
@@ -128,7 +128,7 @@ def test_carrying_in_the_simulator_takes_no_longer_than_is_said(monkeypatch):
 
     monkeypatch.setattr(Simulation, "settle", counted)
     start, place = (0.47, -0.18), (0.83, 0.18)
-    mean = PLACES.category(operator.category).feature_means
+    mean = PLACES.category(operator.subject).feature_means
     features, position = np.array([[*mean[:3], round(mean[3])]]), np.array([[*start, mean[2] / 2]])
     alone = Scene(features, position, np.array([[0.0, 0.0, 0.0, 1.0]]))
     action = np.array(PLACES.primitive_of(operator).action)
@@ -142,7 +142,7 @@ def test_carrying_in_the_simulator_takes_no_longer_than_is_said(monkeypatch):
 
 
 def test_shipped_domain_with_places_is_printed_for_each_problem_that_only_carries():
-    slowest = max(carry_seconds(one, PLACES) for one in PLACES.carriers)
+    slowest = max(carry_seconds(one, PLACES) for one in PLACES.live_on("place"))
     assert f":duration (= ?duration {slowest:.3f})" in durative_domain_text(PLACES)
     printed = 0
     for path in sorted((ROOT / "domains/places/problems").glob("*.scene.json")):

@@ -131,7 +131,7 @@ def test_goal_in_the_air_takes_every_height_that_lifts_end_at_and_no_other():
     def heights(*lifts: float) -> tuple[int, ...]:
         modes = (mode((0.0, 0.0, height), kind="held", resting=(0.05, 0.0, 0.0)) for height in lifts)
         operators = tuple(Operator(f"lift-{n}", "00", f"{n:03b}", 20, (m,)) for n, m in enumerate(modes))
-        learned = replace(grounding(), operators=replace(table(), operators=operators))
+        learned = replace(grounding(), objects=replace(table(), operators=operators))
         return goal_region(BLOCK, (0.5, 0.05, 0.025 + 0.2), 0.05, learned, steps=1).z
 
     assert heights(0.2, 0.22) == (40, 44)

@@ -94,9 +94,9 @@ def uneven() -> Grounding:
         ends = {"effect": (x + off, y - off, z), "resting_effect": (rest_x + off, rest_y - off, rest_z)}
         return replace(mode, **ends)
 
-    operators = tuple(replace(one, modes=tuple(map(shifted, one.modes))) for one in table().operators)
+    operators = tuple(replace(one, outcomes=tuple(map(shifted, one.outcomes))) for one in table().operators)
     learned = grounding()
-    return replace(learned, operators=replace(learned.operators, operators=operators))
+    return replace(learned, objects=replace(learned.objects, operators=operators))
 
 
 @pytest.mark.parametrize("learned", [grounding(), uneven(), rehearsed.grounding()])

@@ -147,7 +147,7 @@ def test_goal_under_what_nothing_moves_or_without_room_is_a_result_with_its_reas
     assert result.status is PlanStatus.NOT_FOUND
     assert result.reason.startswith("no plan with the places that were drawn; without: ")
     assert [step.object for step in solved(replace(crowd, places={}))] == ["item-02", "item-01"]
-    still = replace(learned, operators=replace(learned.operators, operators=()))
+    still = replace(learned, objects=replace(learned.objects, operators=()))
     slab = Problem("under", scene(("cube", 0.5, -0.2), ("slab", 0.7, 0.0)), goals, 0.02)
     result = plan(slab, still)
     assert result.status is PlanStatus.UNSOLVABLE

@@ -15,7 +15,8 @@ from toy_relations import LIE, PUT_IN, PUT_ON, REST, grounding, relations, scene
 
 from neurosym.errors import InvalidFile, InvalidValue, NeurosymError
 from neurosym.grounding import Grounding
-from neurosym.pair_operators import Kept, PairEnd, pooled
+from neurosym.operators import Kept
+from neurosym.pair_operators import pair_end, pooled
 from neurosym.pddl.compiler import problem_text
 from neurosym.pddl.problem_check import check_relations, relations_meant
 from neurosym.planners import PlanStatus, plan
@@ -71,8 +72,11 @@ def test_of_operators_that_do_the_same_a_few_are_in_the_domain_and_each_pair_get
     learned = grounding()
     assert learned.relations is not None
     one = learned.relations.operators[0]
-    (end,) = one.ends
-    worse = [replace(one, name=f"worse-{n}", ends=(replace(end, count=n),)) for n in (15, 16, 17, 18)]
+    (end,) = one.outcomes
+    worse = [
+        replace(one, name=f"worse-{n}", outcomes=(replace(end, count=n, near_mean=n),))
+        for n in (15, 16, 17, 18)
+    ]
     both = replace(learned.relations, operators=(*worse, *learned.relations.operators))
     changed = replace(learned, relations=both)
     more = {put.name for put in puts_of(changed)} - {put.name for put in puts_of(learned)}
@@ -109,7 +113,7 @@ def test_nothing_is_put_where_as_many_lie_as_plans_count():
 def test_of_two_that_look_as_if_each_bore_the_other_the_one_bears_that_goals_ask_for(target, reference):
     learned = grounding().relations
     _, lying, miss = learned.operators
-    around = replace(miss, ends=lying.ends)  # trays are put around cubes, too
+    around = replace(miss, outcomes=lying.outcomes)  # trays are put around cubes, too
     known = replace(learned, operators=(*learned.operators[:2], around))
     objects = scene(("tray", 0.7, 0.0), ("cube", 0.7, 0.0, 0.005))
     problem = with_pairs(Problem("mutual", objects, {}, relations=((target, reference, LIE),)), known)
@@ -281,13 +285,14 @@ def test_without_that_network_pairs_do_as_others_of_their_kind_and_one_for_other
 def test_operator_pooled_adds_up_what_was_rehearsed_with_each_kind():
     table = relations()
     first = table.operators[0]
-    ends = (PairEnd("001", 1, 0.1, (0.0, 0.0, 0.8), (0.0, 0.0, 0.0)),)
-    changes = {"name": "put-on-01-tray-10", "pair": "10", "trials": 10, "ends": ends}
-    other = replace(first, **changes, borne=Kept("put-on-01-tray-10", 4, 1))
+    ends = (pair_end("001", 1, 0.1, (0.0, 0.0, 0.8), (0.0, 0.0, 0.0)),)
+    changes = {"name": "put-on-01-tray-10", "subject": "10", "trials": 10, "outcomes": ends}
+    company = (("borne", Kept("put-on-01-tray-10", 4, 1)), *first.company[1:])
+    other = replace(first, **changes, company=company)
     (found,) = pooled(replace(table, operators=(first, other)))
-    assert (found.name, found.pair, found.trials) == (ON_ANY, "", 30)
-    (end,) = found.ends
-    assert (end.state, end.count) == ("001", 20)
-    assert end.offset == pytest.approx((0, 0, 0.99))
+    assert (found.name, found.subject, found.trials) == (ON_ANY, "", 30)
+    (end,) = found.outcomes
+    assert (end.kind, end.count) == ("001", 20)
+    assert end.effect == pytest.approx((0, 0, 0.99))
     assert end.spread == pytest.approx((0, 0, np.std([1.0] * 19 + [0.8])), abs=1e-4)
-    assert (found.borne.trials, found.borne.kept) == (14, 11)
+    assert (found.among("borne").trials, found.among("borne").kept) == (14, 11)

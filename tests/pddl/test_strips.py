@@ -99,7 +99,7 @@ def test_everything_is_positive_strips_in_small_letters(learned: Grounding, task
     assert not re.search(r"\b(forall|exists|when|or|imply|either)\b", code)
     assert "(not " not in "".join(line for line in code.splitlines() if ":precondition" in line)
     words = {name for name, _ in (*domain.types, *domain.constants)} | {one.name for one in domain.actions}
-    assert words <= {*WORDS.split(), *(one.name for one in learned.operators.categories)}
+    assert words <= {*WORDS.split(), *(one.name for one in learned.objects.categories)}
 
 
 @of_each_kind
@@ -217,13 +217,13 @@ SLIPPED = mode((0.06, 0.0, 0.0), count=6, near=5)
 
 
 def lifting(*modes) -> OperatorTable:
-    changed = (replace(op, modes=modes) if op.name == "lift-010-block" else op for op in table().operators)
+    changed = (replace(op, outcomes=modes) if op.name == "lift-010-block" else op for op in table().operators)
     return replace(table(), operators=tuple(changed))
 
 
 def of(*modes) -> list[Operator]:
     expanded = with_every_outcome(lifting(*modes))
-    return [op for op in expanded.operators if (op.category, op.primitive) == ("00", "010")]
+    return [op for op in expanded.operators if (op.subject, op.primitive) == ("00", "010")]
 
 
 def shares(*modes):

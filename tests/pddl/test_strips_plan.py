@@ -256,11 +256,11 @@ def test_no_step_ends_in_the_margins_that_are_asked_for():
 def test_of_motions_that_do_the_same_the_cheapest_is_told_and_those_of_plans_beside_it():
     """They differ by a cell of the domain, and not by one of the problem."""
     learned, (block, *_) = tables.grounding(0.005), tables.problem().objects
-    table = learned.operators
+    table = learned.objects
     modes = (tables.mode((0.0021, 0.0782, 0.0), near=15),)
-    twin = replace(table.operators[0], name="push-left-001-block", primitive="001", modes=modes)
-    others = tuple(one for one in table.operators if (one.primitive, one.category) != ("001", "00"))
-    both = replace(learned, operators=replace(table, operators=(*others, twin)))
+    twin = replace(table.operators[0], name="push-left-001-block", primitive="001", outcomes=modes)
+    others = tuple(one for one in table.operators if (one.primitive, one.subject) != ("001", "00"))
+    both = replace(learned, objects=replace(table, operators=(*others, twin)))
     task = Problem("p", (block,), {"item-01": (0.45, 0.18, 0.025)})
     assert {atom[2] for atom in facts(task, both, "pushes")} == {"m-000"}
     assert {atom[2] for atom in facts(task, both, "pushes", every=True)} == {"m-000", "m-001"}
@@ -309,7 +309,7 @@ NAMES_OF_RELATIONS = "tray perch origin way from-spot take-off put put-loaded sp
 )
 def test_object_named_like_a_part_of_the_domain_is_refused(module, names: str):
     learned = module.grounding()
-    category = learned.operators.categories[0]
+    category = learned.objects.categories[0]
     (low, _), z = learned.table.x, category.feature_means[2] / 2
     for name in names.split():
         item = SceneObject(name, category.symbol, category.feature_means, (low + 0.2, 0.0, z))

@@ -16,7 +16,6 @@ from places import SHIPPED
 from standing import boxes
 from toy_relations import PUT_ON
 
-from neurosym.colours import CATEGORY_COLOURS, NEUTRAL, OTHER, Palette
 from neurosym.contract import Guarded
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
@@ -28,7 +27,7 @@ from neurosym.problems import Problem
 from neurosym.sim.tabletop import Tabletop
 from neurosym.stages.painting import painted_world
 from neurosym.tasks.transition import PlanStep
-from neurosym.world import Frame, World
+from neurosym.world import CATEGORY_COLOURS, NEUTRAL, OTHER, Frame, Palette, World
 from neurosym.worlds.own_world import OwnFactory
 from neurosym.worlds.toy import ToyConfig, ToyWorld, make_world
 
@@ -104,10 +103,10 @@ def test_primitive_is_shown_on_each_category_that_the_domain_promises_something_
 def test_each_category_is_carried_by_what_does_it_most_surely_if_most_of_it_can_be(folder, capsys):
     grounding = Grounding.load(folder / "grounding.json")
     carriers = surest_carriers(grounding)
-    surest = {one.category: one for one in carriers}
-    every = [one for one in grounding.places.operators.operators if one.trials]
-    for category in {one.category for one in every}:
-        best = max(one.successes / one.trials for one in every if one.category == category)
+    surest = {one.subject: one for one in carriers}
+    every = [one for one in grounding.places.operators if one.trials]
+    for category in {one.subject for one in every}:
+        best = max(one.successes / one.trials for one in every if one.subject == category)
         assert (category in surest) == (best >= 0.5)
         if category in surest:
             assert surest[category].successes / surest[category].trials == best
@@ -133,13 +132,13 @@ def test_symbols_are_drawn_in_one_file_with_a_legend_and_an_effect_of_each_opera
     assert neurosym("show", folder, "--symbols") == 0
     path = folder / "pictures/symbols.svg"
     assert f"wrote {path}" in capsys.readouterr().out
-    root, table = ElementTree.parse(path).getroot(), Grounding.load(folder / "grounding.json").operators
+    root, table = ElementTree.parse(path).getroot(), Grounding.load(folder / "grounding.json").objects
     told = [one.text for one in root.iter() if one.text]
     palette = Palette.of(table.categories)
     for category in table.categories:
         assert any(text.startswith(f"{category.name}, ") for text in told)
         assert palette.hex(category.symbol) in path.read_text()
-    pairs = {(one.category, one.primitive): one for one in reversed(table.operators)}
+    pairs = {(one.subject, one.primitive): one for one in reversed(table.operators)}
     assert all(any(text.startswith(f"{one.name}: ") for text in told) for one in pairs.values())
     assert neurosym("show", folder, "--symbols", "--output", folder / "two.svg") == 0
     assert path.read_bytes() == (folder / "two.svg").read_bytes()
@@ -270,7 +269,7 @@ def test_world_in_a_process_of_its_own_is_painted_too(tmp_path: Path, monkeypatc
 
 def test_world_of_a_domain_shows_the_categories_that_its_problems_name(tmp_path: Path):
     world = painted_world(SHIPPED / "world.toml")
-    palette = Palette.of(Grounding.load(SHIPPED / "grounding.json").operators.categories)
+    palette = Palette.of(Grounding.load(SHIPPED / "grounding.json").objects.categories)
     problem = Problem.load(SHIPPED / "problems/task-17.scene.json")
     colours = world.painter(problem.scene().features)
     assert colours.tolist() == [list(palette(item.category)) for item in problem.objects]

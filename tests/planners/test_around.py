@@ -31,7 +31,7 @@ def learned() -> Grounding:
         Operator(f"push-{way}-{symbol}-block", "00", symbol, 20, (tables.mode((*by, 0.0)),))
         for (way, by), symbol in zip(ways.items(), ("000", "001", "010", "111"), strict=True)
     )
-    return replace(known, operators=replace(known.operators, operators=operators))
+    return replace(known, objects=replace(known.objects, operators=operators))
 
 
 def task(starts: dict[str, tuple[int, int]], goals: dict[str, tuple[int, int]]) -> Problem:
@@ -120,7 +120,7 @@ def test_among_the_fewest_it_takes_the_cheapest():
     learned = tables.grounding()
     task = Problem("p", (tables.item("item-01", 0.45, 0.0),), {"item-01": (0.6, 0.13, 0.025)})
     found = plan(task, learned, "counting")
-    names = [operator.name for operator in learned.live if operator.category == "00"]
+    names = [operator.name for operator in learned.live if operator.subject == "00"]
 
     def price(steps: tuple[str, ...]) -> int:
         return sum(cost(learned.operator_named(step)) for step in steps)

@@ -50,11 +50,9 @@ def test_depth_time_and_number_of_sequences_end_a_search_with_its_reason(monkeyp
 def test_operators_left_out_are_never_promised_but_may_be_predicted():
     learned = grounding()
     lift = learned.operator_named("lift-010-block")
-    slip = replace(lift.modes[1], resting_effect=(0.04, 0.0, 0.0), count=10)
-    slips = replace(lift, name="slip-010-block", modes=(slip,))
-    both = replace(
-        learned, operators=replace(learned.operators, operators=(*learned.operators.operators, slips))
-    )
+    slip = replace(lift.outcomes[1], resting_effect=(0.04, 0.0, 0.0), count=10)
+    slips = replace(lift, name="slip-010-block", outcomes=(slip,))
+    both = replace(learned, objects=replace(learned.objects, operators=(*learned.objects.operators, slips)))
     table = branching_of(problem(), both)  # one primitive with two outcomes is two choices
     assert table.names[0] == ("push-left-000-block", "push-away-001-block", lift.name, slips.name)
     assert table.names[1][:2] == ("push-left-000-tray", "pull-010-tray")

@@ -38,8 +38,8 @@ def many_moves(count: int, length: float = 0.01) -> Grounding:
         mode = Mode("resting", 20, 1.0, effect, nothing, effect, nothing, 0.0, 20)
         symbol = f"{number:010b}"
         operators.append(Operator(f"push-{symbol}-cube", "00", symbol, 20, (mode,)))
-    table = replace(learned.operators, operators=tuple(operators))
-    return replace(learned, operators=table, format=FORMATS[0])  # keep alike ones
+    table = replace(learned.objects, operators=tuple(operators))
+    return replace(learned, objects=table, format=FORMATS[0])  # keep alike ones
 
 
 def cube(goal: tuple[float, float, float], tolerance: float = 0.02) -> Problem:
@@ -100,11 +100,11 @@ def crammed() -> Problem:
 def beside_a_stone() -> tuple[Problem, Grounding]:
     """Nothing is known to be done to the second object, and it stands right where the first is to end."""
     learned = tables.grounding()
-    stone = replace(learned.operators.categories[0], symbol="01", name="stone")
-    table = replace(learned.operators, categories=(*learned.operators.categories, stone))
+    stone = replace(learned.objects.categories[0], symbol="01", name="stone")
+    table = replace(learned.objects, categories=(*learned.objects.categories, stone))
     wide = replace(tables.item("item-02", 0.6, 0.0, category="01"), features=(0.2, 0.2, 0.05, 0.0))
     task = Problem("p", (tables.item("item-01", 0.4, 0.0), wide), {"item-01": (0.6, 0.0, 0.025)})
-    return task, replace(learned, operators=table)
+    return task, replace(learned, objects=table)
 
 
 BLOCK = tables.item("item-01", 0.5, 0.0)

@@ -166,9 +166,9 @@ def test_moves_stay_in_the_box_and_leave_the_gripper_alone():
 def test_operators_of_a_table_are_named_for_their_actions_the_surest_of_a_pair_first():
     found = with_own([PUSHING], {"10": [LIFTING], "11": [PUSHING, LIFTING], "01": [PUSHING]})
     table = tabulate(rehearse(make_world, found, by_affordance, seed=0), make_world().feature_names)
-    pairs = [(op.category, op.label) for op in table.operators]
+    pairs = [(op.subject, op.label) for op in table.operators]
     assert [pair for pair in pairs if pair[0] != "11"] == [("00", "0"), ("01", "0"), ("10", "0a")]
-    both = [op for op in table.operators if op.category == "11"]
+    both = [op for op in table.operators if op.subject == "11"]
     assert [op.label for op in both] == ["0a", "0"]  # a push may lose the object over the edge of the table
     assert len({op.name for op in table.operators}) == len(table.operators)
     assert [one.label for one in table.primitives] == ["0", "0a"]

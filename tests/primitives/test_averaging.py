@@ -43,10 +43,10 @@ def test_table_agrees_with_a_naive_average(axes):
             row
             for row in range(len(data))
             if first_sign(data.actions)[row] == operator.primitive
-            and both_signs(data.features)[row] == operator.category
+            and both_signs(data.features)[row] == operator.subject
         ]
-        assert operator.trials == len(rows) == sum(mode.count for mode in operator.modes)
-        for mode in operator.modes:
+        assert operator.trials == len(rows) == sum(mode.count for mode in operator.outcomes)
+        for mode in operator.outcomes:
             own = [row for row in rows if kinds[row] == mode.kind]
             assert mode.count == len(own)
             for told, column in ((mode.effect, data.effects), (mode.resting_effect, data.resting_effects)):
@@ -57,7 +57,7 @@ def test_table_agrees_with_a_naive_average(axes):
 def test_pairs_and_primitives_that_no_row_has_are_left_out():
     data = some_data()
     table = average(data, PRIMITIVES, lambda rows: ("00",) * len(rows), lambda rows: ("1",) * len(rows))
-    assert [(operator.category, operator.primitive) for operator in table.operators] == [("00", "1")]
+    assert [(operator.subject, operator.primitive) for operator in table.operators] == [("00", "1")]
     assert [one.name for one in table.categories] == ["kind-00", "unseen-01", "unseen-10", "unseen-11"]
     with pytest.raises(InvalidValue, match="without primitives"):
         average(data, (), both_signs, first_sign)

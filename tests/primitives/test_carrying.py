@@ -11,9 +11,10 @@ from toy_learning import BRIEF, SMALL, search
 
 from neurosym.errors import InvalidFile
 from neurosym.exploration.loop import ExplorationConfig, explore
+from neurosym.formats import PlaceFile
 from neurosym.learning.training import Trained, train
-from neurosym.operators import Primitive
-from neurosym.pair_operators import PairStates, PlaceOperators
+from neurosym.operators import OperatorTable, Primitive
+from neurosym.pair_operators import PairStates
 from neurosym.primitives.operator_search import CARRYING, find_operators
 from neurosym.primitives.pair_audition import choose_for_pairs, tabulate_pairs
 from neurosym.primitives.rehearsal import rehearse
@@ -47,7 +48,7 @@ def foretell(features, actions):
 
 
 @cache
-def found() -> PlaceOperators:
+def found() -> OperatorTable:
     trained, data = learned()
     return find_operators(
         trained.model,
@@ -64,39 +65,37 @@ def found() -> PlaceOperators:
 
 
 def test_some_operator_carries_all_that_can_be_grasped_to_where_it_promises():
-    hollow = [one for one in found().operators.operators if one.category == "1"]
+    hollow = [one for one in found().operators if one.subject == "1"]
     best = max(hollow, key=lambda one: one.successes)
     assert best.name.startswith("carry-to-")
     assert best.successes == best.trials
     assert best.promise.kind == "carried"
     assert max(best.promise.resting_spread) < 1e-9
-    action = next(one.action for one in found().operators.primitives if one.label == best.label)
+    action = next(one.action for one in found().primitives if one.label == best.label)
     by = np.array(action[8:10]) - action[4:6]
     np.testing.assert_allclose(best.promise.resting_effect[:2], by, atol=1e-6)
-    solid = [one for one in found().operators.operators if one.category == "0"]
-    (category,) = (one for one in found().operators.categories if one.symbol == "0")
+    solid = [one for one in found().operators if one.subject == "0"]
+    (category,) = (one for one in found().categories if one.symbol == "0")
     best = max(solid, key=lambda one: one.successes)
-    assert {mode.kind for mode in best.modes} == {"carried", "missed"}
+    assert {mode.kind for mode in best.outcomes} == {"carried", "missed"}
     narrow = np.mean([row[1] <= 0.08 for row in category.objects])  # what is wider cannot be grasped
     assert best.successes / best.trials == pytest.approx(narrow, abs=1e-9)
 
 
 def test_in_a_world_where_things_pass_through_one_another_others_do_no_harm():
-    for table in (found().occupied, found().beside):
-        among = {one.name: one for one in table}
-        assert among
-        for operator in found().operators.operators:
-            if operator.category == "1" and operator.successes == operator.trials:
-                assert among[operator.name].kept == among[operator.name].trials > 0
+    sure = [one for one in found().operators if one.subject == "1" and one.successes == one.trials]
+    assert sure
+    for kept in (one.among(how) for one in sure for how in ("occupied", "beside")):
+        assert kept.kept == kept.trials > 0
 
 
 def test_same_table_comes_from_its_file(tmp_path):
     file = tmp_path / "operators.json"
-    file.write_bytes(msgspec.json.encode(found()))
-    assert PlaceOperators.load(file) == found()
+    file.write_bytes(msgspec.json.encode(PlaceFile.holding(found())))
+    assert PlaceFile.load(file).table() == found()
     file.write_text('{"format": "neurosym-places-9"}')
     with pytest.raises(InvalidFile, match="neurosym-places-9"):
-        PlaceOperators.load(file)
+        PlaceFile.load(file)
 
 
 def test_foreseen_is_what_is_carried_and_alike():
@@ -157,7 +156,7 @@ def test_kind_whose_pairs_end_in_several_states_has_an_operator_for_each():
     chosen = chosen_among([CARRY], seed=0)
     found = rehearse(FACTORY, chosen, kinds, objects=80, seed=1)
     table = tabulate_pairs(found, ToyRelations().feature_names, STATES)
-    promised = {one.promise.state: one for one in table.operators if one.promise and one.pair == "1"}
+    promised = {one.promise.kind: one for one in table.operators if one.promise and one.subject == "1"}
     assert {toy_relations.ON, toy_relations.IN} == set(promised)
     assert len({one.name for one in promised.values()}) == 2
     assert sum(one.promise.share for one in promised.values()) <= 1

@@ -31,7 +31,7 @@ def test_operators_promise_what_the_toy_world_does():
     table = table_of([GRASP, LEFT], objects=60, seed=0)
     assert [primitive.symbol for primitive in table.primitives] == ["010", "111"]
     assert [category.symbol for category in table.categories] == ["00", "01", "10", "11"]
-    promised = {(o.category, o.primitive): o.promise for o in table.operators}
+    promised = {(o.subject, o.primitive): o.promise for o in table.operators}
     assert promised["10", "111"].kind == "held"
     np.testing.assert_allclose(promised["10", "111"].effect, (0, 0, 0.2), atol=1e-9)
     np.testing.assert_allclose(promised["10", "111"].resting_effect, 0, atol=1e-9)
@@ -40,13 +40,13 @@ def test_operators_promise_what_the_toy_world_does():
     assert sum(category.share for category in table.categories) == pytest.approx(1)
     objects = {category.symbol: category.objects for category in table.categories}
     for operator in table.operators:
-        assert len(operator.rehearsals) == operator.trials == len(objects[operator.category])
-        assert sum(mode.count for mode in operator.modes) == operator.trials
-        assert sum(mode.share for mode in operator.modes) == pytest.approx(1)
+        assert len(operator.rehearsals) == operator.trials == len(objects[operator.subject])
+        assert sum(mode.count for mode in operator.outcomes) == operator.trials
+        assert sum(mode.share for mode in operator.outcomes) == pytest.approx(1)
     names = [operator.name for operator in table.operators]
     assert len(set(names)) == len(names)
     assert any(name.startswith("lift-111-hollow") for name in names)
-    kinds = {mode.kind for operator in table.operators for mode in operator.modes}
+    kinds = {mode.kind for operator in table.operators for mode in operator.outcomes}
     assert kinds == {"resting", "held", "lost"}, "over the edge is a mode of its own"
 
 
@@ -55,8 +55,8 @@ def test_what_is_kept_of_rehearsals_is_what_happened_to_the_objects_in_their_ord
     objects = {category.symbol: category.objects for category in table.categories}
     for operator in table.operators:
         action = np.array({"111": GRASP, "010": LEFT}[operator.primitive].action, dtype=float)
-        for features, kept in zip(objects[operator.category], operator.rehearsals, strict=True):
-            assert by_affordance(np.array([features])) == (operator.category,)
+        for features, kept in zip(objects[operator.subject], operator.rehearsals, strict=True):
+            assert by_affordance(np.array([features])) == (operator.subject,)
             scene = Scene(np.array([features]), np.array([[0.7, 0, 0]]), np.array([[0.0, 0, 0, 1]]))
             outcome = make_world().interact(scene, action, 0)
             assert kept.effect == pytest.approx(outcome.effect.tolist(), abs=1e-5)
@@ -112,7 +112,7 @@ def after(before) -> OperatorTable:
 
 
 def of(table, primitive, category="0"):
-    return next(one for one in table.operators if (one.primitive, one.category) == (primitive, category))
+    return next(one for one in table.operators if (one.primitive, one.subject) == (primitive, category))
 
 
 def from_the_edge(rows) -> list[float]:
@@ -133,8 +133,8 @@ def test_objects_near_the_edge_of_what_can_be_held_are_tried(before, after):
 
 
 def test_trials_count_only_objects_as_the_world_draws_them_whatever_the_workers(before, after):
-    assert [(one.name, one.trials, one.modes) for one in after.operators] == [
-        (one.name, one.trials, one.modes) for one in before.operators
+    assert [(one.name, one.trials, one.outcomes) for one in after.operators] == [
+        (one.name, one.trials, one.outcomes) for one in before.operators
     ]
     assert after.categories == before.categories
     assert of(after, "111", "1") == of(before, "111", "1"), "what is sure is not rehearsed again"

@@ -14,7 +14,6 @@ from command_line import contents, neurosym, refusal
 from places import ROOT
 from toy_relations import PUT_IN, PUT_ON
 
-from neurosym.colours import Palette
 from neurosym.data.interactions import Interactions
 from neurosym.evaluation.summary import Comparison, Tally
 from neurosym.execution.record import Run
@@ -29,6 +28,7 @@ from neurosym.report.overview import promises_of, share_kept
 from neurosym.report.run_film import film_of_run, step_named
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.plan_records import PlanRecord
+from neurosym.world import Palette
 
 VOID = {"meta", "link", "img", "input"}
 EVIL = "</pre><script>alert(1)</script><img src=x onerror=alert(1)>"
@@ -86,11 +86,11 @@ def test_page_parses_and_loads_nothing(reported):
 def test_page_shows_every_symbol_operator_and_plan(reported):
     text = (reported / "report.html").read_text()
     grounding = Grounding.load(reported / "grounding.json")
-    for primitive in grounding.operators.primitives:
+    for primitive in grounding.objects.primitives:
         assert f'id="action-{primitive.symbol}"' in text
-    for category in grounding.operators.categories:
+    for category in grounding.objects.categories:
         assert f'id="object-{category.symbol}"' in text
-    for operator in grounding.operators.operators:
+    for operator in grounding.objects.operators:
         assert f'<th scope="row">{operator.name}</th><td class="number">{operator.trials}</td>' in text
     for reason in grounding.left_out.values():
         assert f"no: {escape(reason)}" in text
@@ -116,9 +116,9 @@ def test_page_opens_with_map_kinds_matrix_and_promises(reported):
         shown = "".join(f":has(#tab-{tab}-{value}:checked)" for tab, value in values)
         assert f".maps{shown} .drawn{one.replace(' ', '.')} {{ display: block; }}" in opening
     grounding = Grounding.load(reported / "grounding.json")
-    for category in grounding.operators.categories:
+    for category in grounding.objects.categories:
         assert bool(category.share) == (f'">{category.symbol}</span><span class="word">' in opening)
-    for symbol in grounding.operators.symbols:
+    for symbol in grounding.objects.symbols:
         assert f'<a class="bits" href="#action-{symbol}">' in opening
     assert 'class="promises"' in opening
 
@@ -141,12 +141,12 @@ def test_films_move_what_the_run_moved_and_nothing_else():
 
 def test_promises_are_ranked_with_those_on_pairs_and_without_what_is_left_out():
     grounding = toy_relations.grounding()
-    found = promises_of(grounding.operators, grounding)
+    found = promises_of(grounding.objects, grounding)
     told = {bar["name"]: (bar["kept"], bar["trials"]) for bar in found["bars"]}
     assert (told[PUT_ON], told[PUT_IN]) == ((19, 20), (20, 20))
     assert "miss-01-tray-10" not in told
     assert found["worst"]["name"] == [*told][-1] == PUT_ON
-    assert promises_of(msgspec.structs.replace(grounding.operators, operators=()), None) is None
+    assert promises_of(msgspec.structs.replace(grounding.objects, operators=()), None) is None
 
 
 def test_share_of_what_can_be_foreseen_is_within_its_bar():

@@ -8,9 +8,9 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from neurosym.colours import CATEGORY_COLOURS, Palette
 from neurosym.report.drawings import effect_drawing, effect_room, ink_on, map_drawing, object_drawing
 from neurosym.report.symbol_map import Atlas, atlas_of
+from neurosym.world import CATEGORY_COLOURS, Palette
 from neurosym.worlds.toy import ToyWorld
 
 

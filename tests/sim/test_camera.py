@@ -8,12 +8,11 @@ from standing import boxes
 
 from neurosym.contract import POSE_SECONDS, Pose, Posed
 from neurosym.errors import InvalidValue
-from neurosym.operators import DOT_COLOURS
 from neurosym.sim.camera import BLANK, HEIGHT, WIDTH, Lens
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.robot import UR10
 from neurosym.sim.tabletop import Tabletop
-from neurosym.world import Frame, Outcome
+from neurosym.world import DOT_COLOURS, Frame, Outcome
 
 PUSH = np.array([0, -0.05, 0.02, 0, 0, 0, 0.02, 0, 0, 0.05, 0.02, 0], dtype=float)
 CUBE, OPEN_BOX, PLANK, RING = (

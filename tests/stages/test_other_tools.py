@@ -7,6 +7,7 @@ import toy_places
 from command_line import neurosym, refusal
 
 from neurosym.files import write_json
+from neurosym.formats import PlaceFile
 from neurosym.grounding import Grounding
 from neurosym.pddl import problem_text
 from neurosym.pddl.durative import durative_domain_text, durative_problem_text
@@ -27,8 +28,8 @@ def folder(tmp_path: Path) -> Path:
     (place / "problems").mkdir()
     (place / "world.toml").write_text('world = "toy"\n')
     learned = toy_places.grounding()
-    write_json(place / "primitives.json", learned.operators)
-    write_json(place / "places/operators.json", learned.places)
+    write_json(place / "primitives.json", learned.objects)
+    write_json(place / "places/operators.json", PlaceFile.holding(learned.places))
     for problem in (toy_places.swap(), toy_places.mixed()):
         problem.save(place / f"problems/{problem.name}.scene.json")
     return place

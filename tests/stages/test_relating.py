@@ -5,7 +5,8 @@ import pytest
 from conftest import LEARN_TOY, learn_shortly
 
 from neurosym.data.interactions import Interactions
-from neurosym.pair_operators import PairStates, RelationOperators
+from neurosym.formats import PairFile
+from neurosym.pair_operators import PairStates
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder, load_scene
 from neurosym.stages.problem_making import Asked, problem_stage, sight_of_pairs
@@ -31,7 +32,7 @@ def test_what_carries_is_tried_with_other_objects_and_brings_pairs_into_states(f
     on, apart = states.of((0.1, 1.0, 1.0, 0.0, 0.0)), states.of((1.9, 0.0, 0.0, 0.0, 0.0))
     assert (on.bears, apart.bears) == (True, False)
     assert on.name.startswith("rests-on-")
-    table = RelationOperators.load(folder / layout.RELATION_OPERATORS)
+    table = PairFile.load(folder / layout.RELATION_OPERATORS).table()
     assert max(one.promise.share for one in table.operators if one.promise) > 0.5
     assert len({one.name for one in table.operators}) == len(table.operators)
 

@@ -13,10 +13,10 @@ from places import DOCS, ROOT
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import _OF_EXPLORATION
 from neurosym.files import read_json
+from neurosym.formats import PairFile, PlaceFile
 from neurosym.grounding import Grounding
 from neurosym.learning.training import TrainingReport
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
-from neurosym.pair_operators import PlaceOperators, RelationOperators
 from neurosym.stages import verdicts as rules
 from neurosym.stages.verdicts import (
     Tries,
@@ -148,10 +148,10 @@ def test_shipped_carrying_and_relations_are_good_and_say_what_they_lack():
     assert bits_of(places).level == "good"
     assert bits_of(relations).level == "weak"
     assert "bits lose most" in bits_of(relations).remedy
-    verdict = judge_operators(PlaceOperators.load(places / "operators.json").operators)
+    verdict = judge_operators(PlaceFile.load(places / "operators.json").table())
     assert verdict.level == "good"
     assert "none of these moves solid-low-10 (30% of objects)" in verdict.sentence
-    pairs = RelationOperators.load(relations / "operators.json")
+    pairs = PairFile.load(relations / "operators.json").table()
     assert judge_relations(pairs).level == "good"
     assert judge_relations(msgspec.structs.replace(pairs, operators=())).level == "useless"
 

@@ -8,7 +8,6 @@ import pytest
 from places import SHIPPED
 from studio_pages import page_on, session_on, shipped_library, wait_for
 
-from neurosym.colours import Palette
 from neurosym.contract import Part
 from neurosym.execution.record import Replanning, Run
 from neurosym.files import read_json
@@ -21,6 +20,7 @@ from neurosym.studio.tour import CARDS, TourPanel
 from neurosym.studio.view import Grab, circle, mesh_of, rectangle
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep
+from neurosym.world import Palette
 
 PARTS = [
     (Part("box", (0.1, 0.2, 0.3)), 0.006),

@@ -8,7 +8,7 @@ import toy_relations
 from toy_relations import LIE, REST, scene, sorting, tower
 
 from neurosym.errors import InvalidValue
-from neurosym.pair_operators import PairEnd
+from neurosym.pair_operators import pair_end
 from neurosym.problems import Problem
 from neurosym.studio.scene_editor import (
     complaints_about,
@@ -129,8 +129,8 @@ def test_ghosts_stand_on_ghosts_as_operators_promise():
 def test_drop_takes_the_state_that_the_pair_is_brought_to_most_surely():
     table = LEARNED.relations
     put = table.operators[1]
-    ends = (PairEnd("001", 12, 0.6, (0.0, 0.0, 1.0), (0.0,) * 3),)
-    less_sure = msgspec.structs.replace(put, name="another", ends=ends)
+    ends = (pair_end("001", 12, 0.6, (0.0, 0.0, 1.0), (0.0,) * 3),)
+    less_sure = msgspec.structs.replace(put, name="another", outcomes=ends)
     for operators in ((less_sure, *table.operators), (*table.operators, less_sure)):
         relations = msgspec.structs.replace(table, operators=operators)
         learned = msgspec.structs.replace(LEARNED, relations=relations)

@@ -110,5 +110,5 @@ def test_a_task_is_understood_once(domain: str, name: str, monkeypatch: pytest.M
     assert called.count("goal_spots") == 1
     assert called.count("describe_pair") in (0, objects * (objects - 1))
     assert called.count("nearest_kinds") <= 1
-    every = sum(one.category == item.category for item in problem.objects for one in grounding.every_operator)
+    every = sum(one.subject == item.category for item in problem.objects for one in grounding.operators)
     assert 0 < refined.hits + refined.misses <= every

@@ -19,9 +19,9 @@ import numpy as np
 import tyro
 
 from neurosym.evaluation.comparison import Setting
+from neurosym.formats import PlaceFile
 from neurosym.grounding import Grounding
 from neurosym.operators import OperatorTable
-from neurosym.pair_operators import PlaceOperators
 from neurosym.stages.layout import GROUNDING, MODEL, PLACE_OPERATORS, WORLD
 from neurosym.stages.learning import TO_PLACES
 from tools.benchmarks import domains, options
@@ -104,7 +104,7 @@ def learn(folder: Path, seed: int, steps: int, places: int) -> dict[str, Any]:
         domains.compiled(folder)
     learned = Grounding.load(folder / GROUNDING).places
     assert learned is not None, "places were learned"
-    return carries(learned.operators)
+    return carries(learned)
 
 
 def _learn_at_random(work: Path, seed: int, places: int) -> dict[str, Any]:
@@ -114,7 +114,7 @@ def _learn_at_random(work: Path, seed: int, places: int) -> dict[str, Any]:
     for name in (WORLD, MODEL):
         shutil.copy(learned / name, folder / name)
     domains.learn(folder, "random", seed, places, TO_PLACES)
-    return carries(PlaceOperators.load(folder / PLACE_OPERATORS).operators)
+    return carries(PlaceFile.load(folder / PLACE_OPERATORS).table())
 
 
 def carries(table: OperatorTable) -> dict[str, Any]:
@@ -129,7 +129,7 @@ def carries(table: OperatorTable) -> dict[str, Any]:
     for symbol in table.symbols:
         away = []
         for one in (one for one in table.operators if one.primitive == symbol):
-            rows = zip(one.rehearsals[: one.trials], one.objects or objects[one.category], strict=False)
+            rows = zip(one.rehearsals[: one.trials], one.objects or objects[one.subject], strict=False)
             centre = one.promise.outcome if one.promise and one.promise.kind == "carried" else None
             for row in [row for row, features in rows if tasks.is_graspable(np.array(features))]:
                 carried = centre is not None and row.kind == "carried"

@@ -79,8 +79,8 @@ def kinds(folder: Path) -> list[str] | None:
     None if the rehearsals are not kept.
     """
     grounding, found = bench_of(folder).setting.grounding, set[str]()
-    telling = {one.symbol for one in grounding.operators.categories if one.share >= LEAST_OBJECTS}
-    rehearsed = [op for op in grounding.operators.operators if op.category in telling and op.rehearsals]
+    telling = {one.symbol for one in grounding.objects.categories if one.share >= LEAST_OBJECTS}
+    rehearsed = [op for op in grounding.objects.operators if op.subject in telling and op.rehearsals]
     for operator in rehearsed:
         told = [kind_of(one, grounding.lift_height) for one in operator.rehearsals[: operator.trials]]
         found |= {kind for kind in KINDS if told.count(kind) >= LEAST_SHARE * len(told)}
@@ -140,13 +140,13 @@ def _in_short(run: Run, bench: Bench) -> Any:
 
 def flattened(grounding: Grounding) -> Grounding:
     """Keep the live operators, and let each be as sure of its promise as any other: all cost alike."""
-    table, replace = grounding.operators, msgspec.structs.replace
+    table, replace = grounding.objects, msgspec.structs.replace
     operators = tuple(
-        replace(one, trials=100, modes=(replace(one.promise, count=100, share=1.0, near_mean=100),))
+        replace(one, trials=100, outcomes=(replace(one.promise, count=100, share=1.0, near_mean=100),))
         for one in table.operators
         if one in grounding.live and one.promise
     )
-    return replace(grounding, operators=replace(table, operators=operators))
+    return replace(grounding, objects=replace(table, operators=operators))
 
 
 def draw_scaling(folder: Path, objects: int, difficulty: str, seeds: Sequence[int]) -> list[Any]:

@@ -114,7 +114,7 @@ def _walked(
     item: SceneObject, count: int, grounding: Grounding, rng: np.random.Generator, *, may_be_held: bool
 ) -> SceneObject:
     """Apply live operators to an object, mostly such that lead away from where it starts."""
-    live = [operator for operator in grounding.live if operator.category == item.category]
+    live = [operator for operator in grounding.live if operator.subject == item.category]
     here = item
     for number in range(1, count + 1):
         usable = [operator for operator in live if not is_lift(operator) or (may_be_held and number == count)]

@@ -16,8 +16,8 @@ import msgspec
 import tyro
 
 from neurosym.files import make_folder, write_json
+from neurosym.formats import PairFile
 from neurosym.grounding import FORMAT_WITH_RELATIONS, Grounding
-from neurosym.pair_operators import RelationOperators
 from neurosym.stages import layout
 from neurosym.stages.learning import TO_OBJECTS
 from tools.benchmarks import domains, options
@@ -119,7 +119,7 @@ def learn(work: Path, seed: int, steps: int, way: Way) -> dict[str, Any]:
     write_json(folder / layout.PLACE_OPERATORS, grounding.places)
     if not (folder / layout.RELATION_OPERATORS).exists():
         seconds = domains.learn(folder, way.strategy, seed, steps, TO_OBJECTS)
-    relations = RelationOperators.load(folder / layout.RELATION_OPERATORS)
+    relations = PairFile.load(folder / layout.RELATION_OPERATORS).table()
     with_relations = msgspec.structs.replace(grounding, relations=relations, format=FORMAT_WITH_RELATIONS)
     with_relations.save(folder / layout.GROUNDING)
     measured = symbols.measure(folder, NEW_PAIRS + seed, workers=1)

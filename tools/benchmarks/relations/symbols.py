@@ -12,9 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from neurosym.formats import PairFile, PlaceFile
 from neurosym.learning.network import EffectModel
-from neurosym.pair_operators import PairStates, PlaceOperators, RelationOperators, describe_pair
-from neurosym.pair_operators import RelationOperator as Operator
+from neurosym.operators import Operator, labelled
+from neurosym.pair_operators import PairStates, RelationOperators, describe_pair
 from neurosym.primitives.reliability import end_state
 from neurosym.primitives.sampling import draw_scene
 from neurosym.stages.folder import DomainFolder
@@ -43,7 +44,7 @@ _STREAM = 0x6765
 
 def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
     """Try the operators of a domain on new pairs, and match its codes with names."""
-    table, sight = RelationOperators.load(folder / RELATION_OPERATORS), sight_of_pairs(DomainFolder(folder))
+    table, sight = PairFile.load(folder / RELATION_OPERATORS).table(), sight_of_pairs(DomainFolder(folder))
     assert sight is not None, "relations were learned"
     factory = RelatedFactory(read_world(folder / WORLD))
     tried = _rehearsed(table, sight, factory, seed, workers)
@@ -79,14 +80,19 @@ def _rehearsed(
     kinds, asked = np.array(sight.kinds(features)), list[tuple[Operator, np.ndarray]]()
     assert sight.chances is not None, "learned with the kinds"
     for one in table.operators:
-        if one.promise is None or one.promise.state not in order:
+        if one.promise is None or one.promise.kind not in order:
             continue
-        rows, action = np.flatnonzero(kinds == one.pair), np.array(table.primitive_of(one).action)
+        rows, action = (
+            np.flatnonzero(kinds == one.subject),
+            np.array(labelled(table.primitives, one.label).action),
+        )
         foreseen = sight.chances(features[rows], np.tile(action, (len(rows), 1)))
-        sure = rows[foreseen[:, order.index(one.promise.state)] >= SURE]
+        sure = rows[foreseen[:, order.index(one.promise.kind)] >= SURE]
         if len(sure) >= REHEARSED:  # else such pairs are too rare to judge it
             asked.append((one, sure))
-    chosen = [(row, table.primitive_of(one).action) for one, sure in asked for row in sure[:REHEARSED]]
+    chosen = [
+        (row, labelled(table.primitives, one.label).action) for one, sure in asked for row in sure[:REHEARSED]
+    ]
     tasks = [Task(scenes[row], np.array(action)) for row, action in chosen]
     performed = perform_all(factory, tasks, workers)
     return [(one, len(sure) / PAIRS, [next(performed) for _ in range(REHEARSED)]) for one, sure in asked]
@@ -103,7 +109,7 @@ def _best(tried: Sequence[Tried], states: PairStates, name: str) -> dict[str, An
         assert one.promise is not None, "only what is sure is tried"
         right = [
             not outcome.disturbed
-            and end_state(outcome, states) == one.promise.state
+            and end_state(outcome, states) == one.promise.kind
             and relation(outcome, TARGET, REFERENCE) == name
             for outcome in outcomes
         ]
@@ -142,7 +148,7 @@ def _static_accuracy(sight: PairSight, factory: RelatedFactory, seed: int) -> di
 
 def known_motions(folder: Path, world: World) -> KnownMotions:
     """Return the motions that exploring begins with: those that a domain carries to places with."""
-    table, model = PlaceOperators.load(folder / PLACE_OPERATORS), EffectModel.load(folder / MODEL)
+    table, model = PlaceFile.load(folder / PLACE_OPERATORS).table(), EffectModel.load(folder / MODEL)
     return KnownMotions(table, model.object_symbols, world.action_box)
 
 

@@ -79,13 +79,13 @@ def made_problem(grounding: Grounding, objects: int) -> Problem:
     """Make a problem: objects in rows and columns, and for each the goal that a push leads to, done twice."""
     columns = math.ceil(math.sqrt(objects))
     pushes = {
-        category.symbol: [op for op in grounding.live if op.category == category.symbol and not is_lift(op)]
-        for category in grounding.operators.categories
+        category.symbol: [op for op in grounding.live if op.subject == category.symbol and not is_lift(op)]
+        for category in grounding.objects.categories
     }
     items, goals = [], {}
     for number in range(objects):
         x, y = (_MARGIN + PITCH * (place + 0.5) for place in (number % columns, number // columns))
-        category = grounding.operators.categories[number % _CATEGORIES]
+        category = grounding.objects.categories[number % _CATEGORIES]
         name = f"item-{number + 1:04d}"
         items.append(SceneObject(name, category.symbol, (0.03, 0.03, 0.05, 0.0), (x, y, 0.025)))
         by = grounding.displacement(pushes[category.symbol][0])

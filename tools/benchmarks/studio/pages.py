@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from neurosym.choices import DOMAINS
-from neurosym.colours import CATEGORY_COLOURS
+from neurosym.world import CATEGORY_COLOURS
 from tools.benchmarks.options import ROOT
 from tools.benchmarks.studio.browser import serious_violations
 from tools.benchmarks.studio.measures import chromium
