@@ -9,7 +9,7 @@ shrunken ball of no more steps than were reckoned with ends within the tolerance
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 from neurosym.errors import InvalidValue
@@ -54,10 +54,21 @@ class Grid:
 
 @dataclass(frozen=True, slots=True)
 class GoalRegion:
-    """The cells that count as an object's goal: any of `xy` together with any of `z`."""
+    """The cells that count as an object's goal: the nearer they are, the more heights meet it there.
 
-    xy: tuple[tuple[int, int], ...] = ()
-    z: tuple[int, ...] = ()
+    Attributes:
+        heights: Cells along z, the nearest to the goal first.
+        ring: For each cell of x and y in the goal, over how many of the heights it is met, nearest first.
+    """
+
+    heights: tuple[int, ...] = ()
+    ring: Mapping[tuple[int, int], int] = field(default_factory=dict)
+
+    def rings_at(self, height: int) -> list[int]:
+        """List the rings over whose cells a height meets the goal."""
+        if height not in self.heights:
+            return []
+        return [ring for ring in sorted(set(self.ring.values())) if ring > self.heights.index(height)]
 
 
 @lru_cache(maxsize=8)
@@ -75,31 +86,30 @@ def goal_region(
     """Find the cells from which the goal is met whatever the grid rounded on the way.
 
     Along z there are only the levels that objects of this category can be at: the table, and where lifts end.
-    Those are taken that leave most of the ball, and x and y get what the farthest of them leaves: a disc. If
-    not a single cell is left, the goal's own is taken at the nearest level, and a replay must tell. The
-    rounding of so many steps is reckoned with; goal and tolerance are in metres.
+    Each leaves a disc of the ball to x and y, the smaller the farther it is from the goal. If not a single
+    cell is left, the goal's own is taken at the nearest level, and a replay must tell. The rounding of so
+    many steps is reckoned with; goal and tolerance are in metres.
     """
     check_on_table(item, grounding)
     grid, (error_x, error_y, error_z) = grid_of(grounding), rounding(item, grounding)
     dx, dy, height = (end - start for end, start in zip(goal, item.position, strict=True))
     misses = {z: abs(z * grid.cell - height) + (error_z if z else 0.0) for z in levels(item, grounding)}
-    chosen = best_levels(misses, tolerance)
-    if not chosen:
-        return GoalRegion()
-    radius = math.sqrt(tolerance**2 - misses[chosen[-1]] ** 2)
-    (start_x, start_y, _), reach = grid.anchor(item.position), math.ceil(radius / grid.cell)
+    heights = within(misses, tolerance)
+    radii = [math.sqrt(tolerance**2 - misses[z] ** 2) for z in heights]
+    (start_x, start_y, _), reach = grid.anchor(item.position), math.ceil(max(radii, default=0) / grid.cell)
     middle = math.floor(dx / grid.cell + 0.5), math.floor(dy / grid.cell + 0.5)
 
-    def is_inside(x: int, y: int) -> bool:
-        """Say whether a cell, counted from the start, is near enough even if each axis errs."""
+    def ring(x: int, y: int) -> int:
+        """Return over how many heights a cell, counted from the start, is near enough whatever errs."""
         off_x = abs(x - dx / grid.cell) * grid.cell + steps * error_x
         off_y = abs(y - dy / grid.cell) * grid.cell + steps * error_y
-        on_table = 0 <= start_x + x <= grid.last[0] and 0 <= start_y + y <= grid.last[1]
-        return on_table and (math.hypot(off_x, off_y) <= radius or (x, y) == middle)
+        if not (0 <= start_x + x <= grid.last[0] and 0 <= start_y + y <= grid.last[1]):
+            return 0
+        return max(sum(math.hypot(off_x, off_y) <= radius for radius in radii), (x, y) == middle)
 
     rows, columns = (range(cell - reach, cell + reach + 1) for cell in middle)
-    xy = tuple((start_x + x, start_y + y) for x in rows for y in columns if is_inside(x, y))
-    return GoalRegion(xy=xy, z=tuple(sorted(chosen)))
+    found = {(start_x + x, start_y + y): ring(x, y) for x in rows for y in columns if heights}
+    return GoalRegion(heights, {cell: number for cell, number in found.items() if number})
 
 
 def check_on_table(item: SceneObject, grounding: Grounding, *, off: float = 0.0) -> None:
@@ -131,8 +141,6 @@ def rounding(item: SceneObject, grounding: Grounding) -> Vector:
     return (x, y, z)
 
 
-def best_levels(misses: Mapping[int, float], tolerance: float) -> tuple[int, ...]:
-    """Choose the levels, nearest first, that leave the largest region: their number times the disc left."""
-    ordered = sorted((z for z in misses if misses[z] < tolerance), key=lambda z: (misses[z], z))
-    choices = [tuple(ordered[:count]) for count in range(1, len(ordered) + 1)]
-    return max(choices, key=lambda some: len(some) * (tolerance**2 - misses[some[-1]] ** 2), default=())
+def within(misses: Mapping[int, float], tolerance: float) -> tuple[int, ...]:
+    """List the levels that miss a goal by less than the tolerance, nearest first."""
+    return tuple(sorted((z for z in misses if misses[z] < tolerance), key=lambda z: (misses[z], z)))

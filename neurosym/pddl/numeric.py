@@ -22,7 +22,7 @@ import msgspec
 
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
-from neurosym.pddl.grid import AXES, best_levels, levels
+from neurosym.pddl.grid import AXES, levels, within
 from neurosym.pddl.strips import actions_in, common_head, predicates_in, symbol_table
 from neurosym.pddl.strips_problem import in_metres, motion_name
 from neurosym.pddl.syntax import NUMERIC, OBJECT, Atom, Domain, Facts, PddlProblem, Typed, domain_name
@@ -206,14 +206,16 @@ def _anchor(item: SceneObject, grounding: Grounding) -> tuple[int, int]:
 def _goal(task: Task, name: str, steps: int) -> Iterator[str]:
     """List the conditions for an object to be at its goal.
 
-    The interval of z has the heights that the cells of a goal would be chosen for. If all are too far from
-    the goal, it is one that no object comes to.
+    Its interval of z has those heights, nearest first, that leave the largest region: their number times the
+    disc that the farthest leaves. If all are too far from the goal, it is one that no object comes to.
     """
     item, goal = task.problem.object_named(name), task.problem.goals[name]
     dx, dy, height = ((end - start) / UNIT for end, start in zip(goal, item.position, strict=True))
     tolerance, possible = task.problem.tolerance / UNIT, levels(item, _in_units(task.grounding))
     misses = {z: abs(z - height) + (0.5 if z else 0.0) for z in possible}
-    chosen = best_levels(misses, tolerance)
+    near = within(misses, tolerance)
+    choices = [near[: count + 1] for count in range(len(near))]
+    chosen = max(choices, key=lambda some: len(some) * (tolerance**2 - misses[some[-1]] ** 2), default=())
     off = misses[chosen[-1]] if chosen else tolerance
     radius = math.sqrt(max(tolerance**2 - off**2, 0.0)) - steps * math.sqrt(0.5)
     start_x, start_y = _anchor(item, task.grounding)

@@ -7,7 +7,15 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding, is_lift
 from neurosym.pair_operators import case_of
 from neurosym.pddl import strips
-from neurosym.pddl.strips_problem import BEGUN_BY, COUNTS, StripsProblem, motion_name, price_name, words_of
+from neurosym.pddl.strips_problem import (
+    BEGUN_BY,
+    COUNTS,
+    StripsProblem,
+    motion_name,
+    price_name,
+    ring_name,
+    words_of,
+)
 from neurosym.pddl.syntax import STRIPS, Atom, Course, EncodingName, words
 from neurosym.problems import spot_named
 from neurosym.tasks.options import PUT_DOWN, put_named
@@ -78,6 +86,10 @@ def write(steps: Sequence[PlanStep], printed: StripsProblem) -> GroundPlan:
     )
 
 
+_WITHOUT_RING = {"reach-cell": 4, "reach-lifted": 5}
+"""So many words such an action had in earlier versions, which did not say in which ring of the goal."""
+
+
 class _Writer:
     """The actions written so far, what they need, and where objects are by then."""
 
@@ -132,14 +144,16 @@ class _Writer:
 
     def reach_cell(self, name: str) -> None:
         """Note that an object is at its goal, over cells."""
-        xy = [self._grid.cell_name(axis, self._cells[name][axis]) for axis in (0, 1)]
+        x, y, _ = self._cells[name]
+        ring = ring_name(self._printed.regions[name].ring.get((x, y), 1))
+        here = [self._grid.cell_name(0, x), self._grid.cell_name(1, y), ring]
         if self._lifted and self._lifted[0] == name:
-            self.actions.append(("reach-lifted", *self._lifted, *xy))
-            self.facts.append(("goal-lifted", *self._lifted))
+            self.actions.append(("reach-lifted", *self._lifted, *here))
+            self.facts.append(("goal-lifted", *self._lifted, ring))
         else:
-            self.actions.append(("reach-cell", name, *xy))
-            self.facts.append(("goal-on-table", name))
-        self.facts.append(("goal-cell", name, *xy))
+            self.actions.append(("reach-cell", name, *here))
+            self.facts.append(("goal-on-table", name, ring))
+        self.facts.append(("goal-cell", name, *here))
 
     def _take(self, name: str) -> tuple[str, ...]:
         """Take an object, and return where it is from, if the domain tells."""
@@ -190,6 +204,7 @@ def read(actions: Sequence[Atom], printed: StripsProblem) -> Iterator[PlanStep |
     be possible where it stands, and the plan lack nothing. That an object is at its goal, and that it has
     room at a spot, is for the exact replay to judge.
     """
+    actions = [(*one, ring_name(1)) if len(one) == _WITHOUT_RING.get(one[0]) else one for one in actions]
     holds = {*printed.data().atoms, *_granted(actions, printed)}
     return _followed(actions, printed, Course(strips.page(printed.task.grounding), holds))
 
@@ -215,10 +230,10 @@ def _followed(actions: Sequence[Atom], printed: StripsProblem, course: Course) -
 def _granted(actions: Iterable[Atom], printed: StripsProblem) -> Iterator[Atom]:
     """List what is for the replay to judge: goals over cells, and room at spots of the table."""
     for name, *said in actions:
-        if name == "reach-cell" and len(said) == 3:
-            yield from (("goal-on-table", said[0]), ("goal-cell", *said))
-        elif name == "reach-lifted" and len(said) == 4:
-            yield from (("goal-lifted", *said[:2]), ("goal-cell", said[0], *said[2:]))
+        if name == "reach-cell" and len(said) == 4:
+            yield from (("goal-on-table", said[0], said[3]), ("goal-cell", *said))
+        elif name == "reach-lifted" and len(said) == 5:
+            yield from (("goal-lifted", *said[:2], said[4]), ("goal-cell", said[0], *said[2:]))
         elif name == "put-at" and len(said) > 1 and said[0] in printed.task.names:
             thing, place = said[:2]
             is_known = place in printed.task.places

@@ -10,7 +10,7 @@ import msgspec
 from neurosym.errors import counted
 from neurosym.grounding import Grounding
 from neurosym.pair_operators import PairState
-from neurosym.pddl.grid import goal_region, grid_of
+from neurosym.pddl.grid import GoalRegion, goal_region, grid_of
 from neurosym.pddl.strips import FROM_PERCH, FROM_SPOT, NOWHERE
 from neurosym.pddl.syntax import Atom, Facts, PddlProblem, Typed
 from neurosym.tasks.options import Move, Put
@@ -66,6 +66,11 @@ def price_name(cost: int) -> str:
     return f"cost{cost}"
 
 
+def ring_name(ring: int) -> str:
+    """Name the cells over which so many heights meet a goal, like `ring2`."""
+    return f"ring{ring}"
+
+
 class StripsProblem:
     """What a problem is printed of.
 
@@ -116,6 +121,18 @@ class StripsProblem:
         )
 
     @cached_property
+    def regions(self) -> Mapping[str, GoalRegion]:
+        """The goal region of each object that is led and has a goal."""
+        problem, goals = self.task.problem, self.task.problem.goals
+        return {
+            name: goal_region(
+                problem.object_named(name), goals[name], problem.tolerance, self.cells, steps=self.steps
+            )
+            for name in self.led
+            if name in goals
+        }
+
+    @cached_property
     def moves(self) -> Mapping[str, tuple[Move, ...]]:
         """What is done to each object that is led, the surest of what does the same, in cells."""
         found = {name: self.task.every_move_on(self.cells, name) for name in self.led}
@@ -155,6 +172,8 @@ class StripsProblem:
         if self.led:
             motions = {motion_name(move) for moves in self.moves.values() for move in moves}
             yield from ((name, "motion") for name in sorted(motions))
+            rings = {1, *(ring for region in self.regions.values() for ring in region.ring.values())}
+            yield from ((ring_name(ring), "ring") for ring in sorted(rings))
             for axis, (_, cell, step) in enumerate(_AXES):
                 yield from ((step_name(axis, cells), step) for cells in self._steps(axis))
                 yield from ((name, cell) for name in self.grid.cell_names(axis))
@@ -301,14 +320,18 @@ class StripsProblem:
         atoms += [(BEGUN_BY[move.kind][1], *words_of(name, move)) for move in moves]
         yield Facts(f"{name} lies at {in_metres(item.position)} m at first", tuple(atoms))
         if goal:
-            region = goal_region(item, goal, problem.tolerance, self.cells, steps=self.steps)
-            heights: list[Atom] = [("goal-on-table", name)] if 0 in region.z else []
+            region = self.regions[name]
+            heights: list[Atom] = [("goal-on-table", name, ring_name(ring)) for ring in region.rings_at(0)]
             heights += [
-                ("goal-lifted", name, motion_name(move))
+                ("goal-lifted", name, motion_name(move), ring_name(ring))
                 for move in moves
-                if move.kind == "lift" and move.cells[2] in region.z
+                if move.kind == "lift"
+                for ring in region.rings_at(move.cells[2])
             ]
-            cells = [("goal-cell", name, names[0][x], names[1][y]) for x, y in region.xy]
+            cells = [
+                ("goal-cell", name, names[0][x], names[1][y], ring_name(ring))
+                for (x, y), ring in region.ring.items()
+            ]
             yield Facts(f"and shall come to {in_metres(goal)} m", (*heights, *cells))
 
     def _steps(self, axis: int) -> list[int]:

@@ -10,7 +10,7 @@ from tables import grounding, item, mode, table
 from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.operators import Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
-from neurosym.pddl.grid import goal_region, grid_of, rounding
+from neurosym.pddl.grid import GoalRegion, goal_region, grid_of, rounding
 from neurosym.problems import Problem
 from neurosym.tasks.options import PUT_DOWN, as_moves
 from neurosym.tasks.transition import PlanStep, validate
@@ -90,7 +90,7 @@ def test_plan_into_the_region_ends_within_the_tolerance_whatever_is_rounded():
         cells = np.array(grid.anchor(start.position)) + sum(moves[step.operator] for step in steps)
         in_cells = np.array(start.position) + (cells - grid.anchor(start.position)) * grid.cell
         assert np.all(np.abs(end - in_cells) <= most_rounded(steps, learned) + 1e-9)
-        if tuple(cells[:2]) in region.xy and cells[2] in region.z and len(region.xy) > 1:
+        if region.ring.get(tuple(cells[:2]), 0) in region.rings_at(cells[2]) and len(region.ring) > 1:
             tried += 1
             apart = max(apart, math.dist(in_cells[:2], end[:2]))
             assert validate(steps, Problem("p", (start,), {"item-01": goal}), learned).valid
@@ -106,18 +106,18 @@ def test_every_cell_of_a_region_is_near_enough_even_if_every_step_rounds_the_wro
         goal = (goal[0], goal[1], goal[2] + float(rng.uniform(0.0, 0.02)))
         region, grid = goal_region(BLOCK, goal, 0.05, learned, steps=steps), grid_of(learned)
         anchor, error = np.array(grid.anchor(BLOCK.position)), np.array(rounding(BLOCK, learned))
-        for z in region.z if len(region.xy) > 1 else ():
-            errs = error * [steps, steps, z > 0]
-            spots = np.array([(x, y, z) for x, y in region.xy])
+        for z in region.heights if len(region.ring) > 1 else ():
+            errs, rings = error * [steps, steps, z > 0], region.rings_at(z)
+            spots = np.array([(*xy, z) for xy, ring in region.ring.items() if ring in rings]).reshape(-1, 3)
             off = np.abs(np.array(BLOCK.position) + (spots - anchor) * grid.cell - goal) + errs
-            assert np.linalg.norm(off, axis=1).max() <= 0.05 + 1e-9
+            assert np.all(np.linalg.norm(off, axis=1) <= 0.05 + 1e-9)
             cells += len(spots)
     assert cells > 1000
 
 
 def test_more_steps_shrink_the_region_and_none_is_the_whole_disc():
     learned, goal = grounding(), (0.5, 0.05, 0.025)
-    sizes = [len(goal_region(BLOCK, goal, 0.05, learned, steps=steps).xy) for steps in (0, 3, 10, 1000)]
+    sizes = [len(goal_region(BLOCK, goal, 0.05, learned, steps=steps).ring) for steps in (0, 3, 10, 1000)]
     assert sizes == sorted(sizes, reverse=True)
     assert sizes[0] == sum(
         math.hypot(x * 0.005 - 0.0488, y * 0.005 - 0.0367) <= 0.05
@@ -127,16 +127,23 @@ def test_more_steps_shrink_the_region_and_none_is_the_whole_disc():
     assert sizes[-1] == 1  # the goal's own cell is always left
 
 
-def test_goal_in_the_air_takes_every_height_that_lifts_end_at_and_no_other():
-    def heights(*lifts: float) -> tuple[int, ...]:
+def test_goal_in_the_air_takes_every_height_that_lifts_end_at_over_its_own_disc():
+    def heights(*lifts: float) -> GoalRegion:
         modes = (mode((0.0, 0.0, height), kind="held", resting=(0.05, 0.0, 0.0)) for height in lifts)
         operators = tuple(Operator(f"lift-{n}", "00", f"{n:03b}", 20, (m,)) for n, m in enumerate(modes))
         learned = replace(grounding(), objects=replace(table(), operators=operators))
-        return goal_region(BLOCK, (0.5, 0.05, 0.025 + 0.2), 0.05, learned, steps=1).z
+        return goal_region(BLOCK, (0.5, 0.05, 0.025 + 0.2), 0.05, learned, steps=1)
 
-    assert heights(0.2, 0.22) == (40, 44)
-    assert heights(0.2, 0.24) == (40,)
-    assert goal_region(BLOCK, (0.5, 0.05, 0.225), 0.05, grounding(), steps=3).z == (41,)
-    assert goal_region(BLOCK, (0.5, 0.05, 0.125), 0.05, grounding(), steps=3).z == ()
+    assert heights(0.2, 0.22).heights == (40, 44)
+    both, near = heights(0.2, 0.24), heights(0.2)
+    assert (both.heights, both.rings_at(40), both.rings_at(48), both.rings_at(0)) == (
+        (40, 48),
+        [1, 2],
+        [2],
+        [],
+    )
+    assert both.ring.keys() == near.ring.keys()  # what is far takes nothing of what is near
+    assert goal_region(BLOCK, (0.5, 0.05, 0.225), 0.05, grounding(), steps=3).heights == (41,)
+    assert goal_region(BLOCK, (0.5, 0.05, 0.125), 0.05, grounding(), steps=3).heights == ()
     tray = item("item-02", 0.6, -0.1, category="11", height=0.04)  # which nothing lifts
-    assert goal_region(tray, (0.6, -0.1, 0.22), 0.05, grounding(), steps=3).z == ()
+    assert goal_region(tray, (0.6, -0.1, 0.22), 0.05, grounding(), steps=3).heights == ()
