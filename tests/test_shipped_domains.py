@@ -168,8 +168,8 @@ def test_every_shipped_plan_is_valid_by_the_files_as_they_are(domain: str):
 
 def test_problem_says_what_a_plan_beside_it_needs_and_nothing_else():
     """The plan ends a cell beside the region that is printed for any plan; its replay meets the goal."""
-    grounding, problem = grounding_of("tabletop"), problems_of("tabletop")["task-04"]
-    steps = read_plan(folder_of("tabletop") / "plans/task-04.bfs.plan", grounding, problem)
+    grounding, problem = grounding_of("tabletop"), problems_of("tabletop")["task-03"]
+    steps = read_plan(folder_of("tabletop") / "plans/task-03.bfs.plan", grounding, problem)
     assert validate(steps, problem, grounding).valid
     whole = ground_plan(steps, problem, grounding)
     bare, fitted = (problem_text(problem, grounding, plans=plans) for plans in ((), (whole, whole)))
