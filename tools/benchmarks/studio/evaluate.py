@@ -42,7 +42,8 @@ def summary(found: dict[str, Any]) -> dict[str, Any]:
     pages, asked = found.get("pages", {}), RESULTS / "questions.json"
     both = found.get("access", {}) | pages
     told = {key: pages[key] for key in ("report_px", "least_colour_distance") if pages}
-    told |= {"axe_serious": sum(both[key] for key in both if key.startswith("serious"))}
+    if pages and "access" in found:
+        told["axe_serious"] = sum(both[key] for key in both if key.startswith("serious"))
     return told | ({"questions": json.loads(asked.read_text())} if asked.exists() else {})
 
 

@@ -17,21 +17,18 @@ from tools.benchmarks.options import ROOT
 from tools.benchmarks.studio.browser import serious_violations
 from tools.benchmarks.studio.measures import chromium
 
+KINDS = ("Prot", "Deuter", "Trit")  # of colour blindness
 LOOKS = ((1280, "light"), (390, "dark"))  # how wide windows are [pixels], and whether light or dark
-BLINDNESSES = ("Protanomaly", "Deuteranomaly", "Tritanomaly")
 
 
 def least_colour_distance() -> float:
     """Return how far apart the nearest two colours of categories are (CIEDE2000) to any eye."""
     import colour  # what judges colours, of the extra for developers
 
-    matrices = [colour.blindness.matrix_cvd_Machado2009(kind, 1.0) for kind in BLINDNESSES]
     linear = colour.cctf_decoding(np.array(CATEGORY_COLOURS) / 255)
-    labs = (
-        colour.XYZ_to_Lab(colour.RGB_to_XYZ(np.clip(linear @ matrix.T, 0, 1), "sRGB"))
-        for matrix in (np.eye(3), *matrices)
-    )
-    pairs = (pair for lab in labs for pair in combinations(lab, 2))
+    blind = [colour.blindness.matrix_cvd_Machado2009(f"{kind}anomaly", 1.0) for kind in KINDS]
+    seen = (colour.RGB_to_XYZ(np.clip(linear @ eye.T, 0, 1), "sRGB") for eye in (np.eye(3), *blind))
+    pairs = (pair for xyz in seen for pair in combinations(colour.XYZ_to_Lab(xyz), 2))
     return min(float(colour.delta_E(*pair, method="CIE 2000")) for pair in pairs)
 
 

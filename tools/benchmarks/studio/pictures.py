@@ -14,9 +14,7 @@ COLOURS = 128
 
 
 def take(window: Window, file: Path) -> None:
-    """Write what is seen as a small PNG, without the browser's remark that it draws in software."""
-    if (remark := window.tab.locator(".mantine-Notification-closeButton")).count():
-        remark.first.click()
+    """Write what is seen as a small PNG."""
     window.tab.wait_for_timeout(3000)
     window.tab.screenshot(path=file)
     Image.open(file).convert("RGB").quantize(COLOURS).save(file, optimize=True)
