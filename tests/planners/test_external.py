@@ -167,7 +167,7 @@ def test_a_planner_gets_no_more_than_its_caller_may_have(tmp_path: Path):
     code = f"""if True:
         import resource, sys
         from pathlib import Path
-        from neurosym.planners.external import external.run_limited
+        from neurosym.planners import external
         for kind, most in ((resource.RLIMIT_AS, 3 << 30), (resource.RLIMIT_FSIZE, 1 << 20)):
             resource.setrlimit(kind, (most, most))
         asked = "import resource as r; print(r.getrlimit(r.RLIMIT_AS), r.getrlimit(r.RLIMIT_FSIZE))"
