@@ -4,7 +4,6 @@ import json
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache, wraps
-from pathlib import Path
 from textwrap import wrap
 from xml.sax.saxutils import escape
 
@@ -19,8 +18,8 @@ from neurosym.report.symbols import displacement_in_words
 from neurosym.stages.verdicts import wilson
 from neurosym.world import Palette
 from neurosym.worlds.world_file import read_world
+from tools.benchmarks.options import ROOT
 
-ROOT = Path(__file__).parent.parent
 PICTURES, RESULTS, DOMAIN = ROOT / "docs/images", ROOT / "docs/results", ROOT / "domains/tabletop"
 TASK, ITEM, MOTION = "task-19", "item-08", "1010b"  # the step that the pictures show
 OPERATORS = "push-right-1010b-hollow-wide-01", "push-forward-1011-solid-00"  # a sure one, and one that is not

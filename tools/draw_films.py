@@ -4,12 +4,13 @@ The run is performed again, seen from further away, so that the arm is whole. A 
 each step.
 """
 
-import argparse
 import io
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
+import tyro
 from PIL import Image, ImageDraw, ImageFont
 
 from neurosym.execution.performance import rerun
@@ -23,8 +24,9 @@ from neurosym.sim import camera
 from neurosym.stages.console import say
 from neurosym.stages.painting import painted_world
 from neurosym.world import DOT_COLOURS, Frame
+from tools.benchmarks.options import ROOT
 
-ROOT = Path(__file__).parent.parent
+IMAGES = ROOT / "docs/images"
 FILMS = {
     "tabletop": ("tabletop", "task-17"),
     "tabletop-paper": ("tabletop-paper", "task-17"),
@@ -120,21 +122,17 @@ def film(domain: Path, problem_name: str) -> tuple[bytes, float]:
     return file, seconds
 
 
-def main() -> None:
-    """Write the films."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="which of " + ", ".join(FILMS))
-    parser.add_argument("--folder", type=Path, default=ROOT / "docs" / "images")
-    asked = parser.parse_args()
+def main(names: tyro.conf.Positional[tuple[str, ...]] = (*FILMS,), folder: Path = IMAGES) -> None:
+    """Write films, each named as in `FILMS`."""
+    if unknown := set(names) - FILMS.keys():
+        sys.exit(f"There is no film {min(unknown)!r}; there are {', '.join(FILMS)}.")
     camera.DISTANCE, camera.LOOKS_AT_HEIGHT = 2.3, 0.34  # the arm whole
-    for name in asked.names or FILMS:
-        if name not in FILMS:
-            parser.error(f"there is no film {name!r}; there are {', '.join(FILMS)}")
+    for name in names:
         domain, problem = FILMS[name]
         file, seconds = film(ROOT / "domains" / domain, problem)
-        write_atomically(asked.folder / f"{name}.gif", file)
-        say(f"wrote {asked.folder / name}.gif: {seconds:.1f} s, {len(file) // 1000} kB")
+        write_atomically(folder / f"{name}.gif", file)
+        say(f"wrote {folder / name}.gif: {seconds:.1f} s, {len(file) // 1000} kB")
 
 
 if __name__ == "__main__":
-    main()
+    tyro.cli(main)

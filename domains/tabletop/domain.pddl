@@ -27,7 +27,7 @@
 (define (domain tabletop)
   (:requirements :strips :typing :action-costs)
   (:types
-    thing price motion ring x-cell y-cell x-shift y-shift - object
+    thing price motion zone x-cell y-cell x-shift y-shift - object
     any-tall-narrow-10 hollow-wide-01 solid-00 solid-low-narrow-11 - thing)
   (:predicates
     (hand-empty) ; the hand holds nothing
@@ -46,9 +46,9 @@
     (went-x ?o - thing) ; ?o went along x already
     (x-sum ?dx - x-shift ?x ?to-x - x-cell) ; from ?x, ?dx leads to ?to-x
     (y-sum ?dy - y-shift ?y ?to-y - y-cell) ; from ?y, ?dy leads to ?to-y
-    (goal-cell ?o - thing ?x - x-cell ?y - y-cell ?r - ring) ; the cell is in ring ?r around the goal of ?o
-    (goal-on-table ?o - thing ?r - ring) ; over ring ?r, ?o meets its goal on the table
-    (goal-lifted ?o - thing ?m - motion ?r - ring) ; over ring ?r, ?o meets its goal as high as ?m lifts it
+    (goal-cell ?o - thing ?x - x-cell ?y - y-cell ?z - zone) ; the cell is in zone ?z around the goal of ?o
+    (goal-on-table ?o - thing ?z - zone) ; over zone ?z, ?o meets its goal on the table
+    (goal-lifted ?o - thing ?m - motion ?z - zone) ; over zone ?z, ?o meets its goal as high as ?m lifts it
   )
   (:functions (total-cost) - number (cost ?c - price) - number)
   (:action push ; begin to push ?o
@@ -72,10 +72,10 @@
     :precondition (and (went-x ?o) (due-y ?o ?dy) (at-y ?o ?y) (y-sum ?dy ?y ?to-y))
     :effect (and (not (went-x ?o)) (not (due-y ?o ?dy)) (not (at-y ?o ?y)) (ready) (at-y ?o ?to-y)))
   (:action reach-cell ; note that ?o lies where its goal is
-    :parameters (?o - thing ?x - x-cell ?y - y-cell ?r - ring)
-    :precondition (and (ready) (on-table ?o) (goal-on-table ?o ?r) (at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y ?r))
+    :parameters (?o - thing ?x - x-cell ?y - y-cell ?z - zone)
+    :precondition (and (ready) (on-table ?o) (goal-on-table ?o ?z) (at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y ?z))
     :effect (and (done ?o)))
   (:action reach-lifted ; note that ?o is held where its goal is
-    :parameters (?o - thing ?m - motion ?x - x-cell ?y - y-cell ?r - ring)
-    :precondition (and (ready) (lifted ?o ?m) (goal-lifted ?o ?m ?r) (at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y ?r))
+    :parameters (?o - thing ?m - motion ?x - x-cell ?y - y-cell ?z - zone)
+    :precondition (and (ready) (lifted ?o ?m) (goal-lifted ?o ?m ?z) (at-x ?o ?x) (at-y ?o ?y) (goal-cell ?o ?x ?y ?z))
     :effect (and (done ?o))))

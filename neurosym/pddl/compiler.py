@@ -194,8 +194,8 @@ def problem_text(
 
 # Which names the objects of a problem may have
 
-_PARTICULAR = r"[xy]\d*|d[xy](-?\d+)?|cost\d+|way\d+|ring\d+|m-[01]+[a-z]*(-.*)?"
-"""What problems call cells, steps, prices, ways, rings and motions."""
+_PARTICULAR = r"[xy]\d*|d[xy](-?\d+)?|cost\d+|way\d+|zone\d+|m-[01]+[a-z]*(-.*)?"
+"""What problems call cells, steps, prices, ways, zones and motions."""
 _OF_PLACES = rf"(start|goal|park)-.*|n\d+|{SPOT.pattern}"
 
 

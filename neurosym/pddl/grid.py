@@ -58,17 +58,17 @@ class GoalRegion:
 
     Attributes:
         heights: Cells along z, the nearest to the goal first.
-        ring: For each cell of x and y in the goal, over how many of the heights it is met, nearest first.
+        zone: For each cell of x and y in the goal, over how many of the heights it is met, nearest first.
     """
 
     heights: tuple[int, ...] = ()
-    ring: Mapping[tuple[int, int], int] = field(default_factory=dict)
+    zone: Mapping[tuple[int, int], int] = field(default_factory=dict)
 
-    def rings_at(self, height: int) -> list[int]:
-        """List the rings over whose cells a height meets the goal."""
+    def zones_at(self, height: int) -> list[int]:
+        """List the zones over whose cells a height meets the goal."""
         if height not in self.heights:
             return []
-        return [ring for ring in sorted(set(self.ring.values())) if ring > self.heights.index(height)]
+        return [zone for zone in sorted(set(self.zone.values())) if zone > self.heights.index(height)]
 
 
 @lru_cache(maxsize=8)
@@ -99,7 +99,7 @@ def goal_region(
     (start_x, start_y, _), reach = grid.anchor(item.position), math.ceil(max(radii, default=0) / grid.cell)
     middle = math.floor(dx / grid.cell + 0.5), math.floor(dy / grid.cell + 0.5)
 
-    def ring(x: int, y: int) -> int:
+    def zone(x: int, y: int) -> int:
         """Return over how many heights a cell, counted from the start, is near enough whatever errs."""
         off_x = abs(x - dx / grid.cell) * grid.cell + steps * error_x
         off_y = abs(y - dy / grid.cell) * grid.cell + steps * error_y
@@ -108,7 +108,7 @@ def goal_region(
         return max(sum(math.hypot(off_x, off_y) <= radius for radius in radii), (x, y) == middle)
 
     rows, columns = (range(cell - reach, cell + reach + 1) for cell in middle)
-    found = {(start_x + x, start_y + y): ring(x, y) for x in rows for y in columns if heights}
+    found = {(start_x + x, start_y + y): zone(x, y) for x in rows for y in columns if heights}
     return GoalRegion(heights, {cell: number for cell, number in found.items() if number})
 
 

@@ -97,7 +97,7 @@ class _Task:
             goal, tolerance = self._problem.goals[item.name], self._problem.tolerance
             region = goal_region(item, goal, tolerance, self._grounding, steps=steps)
             noted = [(self.numbers["done", item.name], _ANY, 0)]
-            for cells in ((*xy, z) for xy, ring in region.ring.items() for z in region.heights[:ring]):
+            for cells in ((*xy, z) for xy, zone in region.zone.items() for z in region.heights[:zone]):
                 words = [names[cell] for names, cell in zip(self._cells, cells, strict=True)]
                 at = {self.numbers[axis, item.name]: cell for axis, cell in zip(AXES, cells, strict=True)}
                 yield _operator(["reach-goal", item.name, *words], ready | at, noted, 0)

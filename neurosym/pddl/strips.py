@@ -26,12 +26,12 @@ WIDTH = 108
 NOWHERE, FROM_SPOT, FROM_PERCH = "nowhere", "from-spot", "from-perch"
 _KINDS = (
     "thing ?o ?b, spot ?p ?here ?next, count ?n ?more ?load ?less, x-cell ?x ?to-x, y-cell ?y ?to-y, "
-    "price ?c, motion ?m ?up, x-shift ?dx, y-shift ?dy, ring ?r, place ?at, perch ?q, origin ?from, way ?w"
+    "price ?c, motion ?m ?up, x-shift ?dx, y-shift ?dy, zone ?z, place ?at, perch ?q, origin ?from, way ?w"
 )
 _TYPES = {variable: kind for kind, *every in map(str.split, _KINDS.split(", ")) for variable in every}
 """Every variable has the same type wherever it stands."""
 WORDS = (
-    "object thing place spot perch price motion ring origin count way x-cell y-cell x-shift y-shift nowhere "
+    "object thing place spot perch price motion zone origin count way x-cell y-cell x-shift y-shift nowhere "
     "n0 from-spot from-perch push lift put-down move-x move-y take take-off put-at put put-loaded note-clear "
     "leave reach-cell reach-lifted reach-place"
 )
@@ -119,7 +119,7 @@ _COMMON = _Part(
 _LEADING = _Part(
     about="What is not carried is moved cell by cell: push, lift or put-down starts a motion ?m, named "
     "by its symbol, which shifts ?o by ?dx and ?dy cells; move-x and then move-y carry it out.",
-    types=("motion", "ring", "x-cell", "y-cell", "x-shift", "y-shift"),
+    types=("motion", "zone", "x-cell", "y-cell", "x-shift", "y-shift"),
     predicates="""
         (by-cells ?o) ; ?o is moved cell by cell, until it is taken
         (at-x ?o ?x) ; the centre of ?o is in that column of cells
@@ -134,9 +134,9 @@ _LEADING = _Part(
         (went-x ?o) ; ?o went along x already
         (x-sum ?dx ?x ?to-x) ; from ?x, ?dx leads to ?to-x
         (y-sum ?dy ?y ?to-y) ; from ?y, ?dy leads to ?to-y
-        (goal-cell ?o ?x ?y ?r) ; the cell is in ring ?r around the goal of ?o
-        (goal-on-table ?o ?r) ; over ring ?r, ?o meets its goal on the table
-        (goal-lifted ?o ?m ?r) ; over ring ?r, ?o meets its goal as high as ?m lifts it
+        (goal-cell ?o ?x ?y ?z) ; the cell is in zone ?z around the goal of ?o
+        (goal-on-table ?o ?z) ; over zone ?z, ?o meets its goal on the table
+        (goal-lifted ?o ?m ?z) ; over zone ?z, ?o meets its goal as high as ?m lifts it
     """,
     actions="""
         (push ?o ?m ?dx ?dy ?c) ; begin to push ?o
@@ -161,13 +161,13 @@ _LEADING = _Part(
             needs (went-x ?o) (due-y ?o ?dy) (at-y ?o ?y) (y-sum ?dy ?y ?to-y)
             adds (ready) (at-y ?o ?to-y)
             deletes (went-x ?o) (due-y ?o ?dy) (at-y ?o ?y)
-        (reach-cell ?o ?x ?y ?r) ; note that ?o lies where its goal is
-            needs (ready) (on-table ?o) (goal-on-table ?o ?r) (at-x ?o ?x) (at-y ?o ?y)
-                (goal-cell ?o ?x ?y ?r)
+        (reach-cell ?o ?x ?y ?z) ; note that ?o lies where its goal is
+            needs (ready) (on-table ?o) (goal-on-table ?o ?z) (at-x ?o ?x) (at-y ?o ?y)
+                (goal-cell ?o ?x ?y ?z)
             adds (done ?o)
-        (reach-lifted ?o ?m ?x ?y ?r) ; note that ?o is held where its goal is
-            needs (ready) (lifted ?o ?m) (goal-lifted ?o ?m ?r) (at-x ?o ?x) (at-y ?o ?y)
-                (goal-cell ?o ?x ?y ?r)
+        (reach-lifted ?o ?m ?x ?y ?z) ; note that ?o is held where its goal is
+            needs (ready) (lifted ?o ?m) (goal-lifted ?o ?m ?z) (at-x ?o ?x) (at-y ?o ?y)
+                (goal-cell ?o ?x ?y ?z)
             adds (done ?o)
     """,
 )

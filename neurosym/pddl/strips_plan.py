@@ -13,8 +13,8 @@ from neurosym.pddl.strips_problem import (
     StripsProblem,
     motion_name,
     price_name,
-    ring_name,
     words_of,
+    zone_name,
 )
 from neurosym.pddl.syntax import STRIPS, Atom, Course, EncodingName, words
 from neurosym.problems import spot_named
@@ -86,8 +86,8 @@ def write(steps: Sequence[PlanStep], printed: StripsProblem) -> GroundPlan:
     )
 
 
-_WITHOUT_RING = {"reach-cell": 4, "reach-lifted": 5}
-"""So many words such an action had in earlier versions, which did not say in which ring of the goal."""
+_WITHOUT_ZONE = {"reach-cell": 4, "reach-lifted": 5}
+"""So many words such an action had in earlier versions, which did not say in which zone of the goal."""
 
 
 class _Writer:
@@ -145,14 +145,14 @@ class _Writer:
     def reach_cell(self, name: str) -> None:
         """Note that an object is at its goal, over cells."""
         x, y, _ = self._cells[name]
-        ring = ring_name(self._printed.regions[name].ring.get((x, y), 1))
-        here = [self._grid.cell_name(0, x), self._grid.cell_name(1, y), ring]
+        zone = zone_name(self._printed.regions[name].zone.get((x, y), 1))
+        here = [self._grid.cell_name(0, x), self._grid.cell_name(1, y), zone]
         if self._lifted and self._lifted[0] == name:
             self.actions.append(("reach-lifted", *self._lifted, *here))
-            self.facts.append(("goal-lifted", *self._lifted, ring))
+            self.facts.append(("goal-lifted", *self._lifted, zone))
         else:
             self.actions.append(("reach-cell", name, *here))
-            self.facts.append(("goal-on-table", name, ring))
+            self.facts.append(("goal-on-table", name, zone))
         self.facts.append(("goal-cell", name, *here))
 
     def _take(self, name: str) -> tuple[str, ...]:
@@ -204,7 +204,7 @@ def read(actions: Sequence[Atom], printed: StripsProblem) -> Iterator[PlanStep |
     be possible where it stands, and the plan lack nothing. That an object is at its goal, and that it has
     room at a spot, is for the exact replay to judge.
     """
-    actions = [(*one, ring_name(1)) if len(one) == _WITHOUT_RING.get(one[0]) else one for one in actions]
+    actions = [(*one, zone_name(1)) if len(one) == _WITHOUT_ZONE.get(one[0]) else one for one in actions]
     holds = {*printed.data().atoms, *_granted(actions, printed)}
     return _followed(actions, printed, Course(strips.page(printed.task.grounding), holds))
 

@@ -66,9 +66,9 @@ def price_name(cost: int) -> str:
     return f"cost{cost}"
 
 
-def ring_name(ring: int) -> str:
-    """Name the cells over which so many heights meet a goal, like `ring2`."""
-    return f"ring{ring}"
+def zone_name(zone: int) -> str:
+    """Name the cells over which so many heights meet a goal, like `zone2`."""
+    return f"zone{zone}"
 
 
 class StripsProblem:
@@ -172,8 +172,8 @@ class StripsProblem:
         if self.led:
             motions = {motion_name(move) for moves in self.moves.values() for move in moves}
             yield from ((name, "motion") for name in sorted(motions))
-            rings = {1, *(ring for region in self.regions.values() for ring in region.ring.values())}
-            yield from ((ring_name(ring), "ring") for ring in sorted(rings))
+            zones = {1, *(zone for region in self.regions.values() for zone in region.zone.values())}
+            yield from ((zone_name(zone), "zone") for zone in sorted(zones))
             for axis, (_, cell, step) in enumerate(_AXES):
                 yield from ((step_name(axis, cells), step) for cells in self._steps(axis))
                 yield from ((name, cell) for name in self.grid.cell_names(axis))
@@ -321,16 +321,16 @@ class StripsProblem:
         yield Facts(f"{name} lies at {in_metres(item.position)} m at first", tuple(atoms))
         if goal:
             region = self.regions[name]
-            heights: list[Atom] = [("goal-on-table", name, ring_name(ring)) for ring in region.rings_at(0)]
+            heights: list[Atom] = [("goal-on-table", name, zone_name(zone)) for zone in region.zones_at(0)]
             heights += [
-                ("goal-lifted", name, motion_name(move), ring_name(ring))
+                ("goal-lifted", name, motion_name(move), zone_name(zone))
                 for move in moves
                 if move.kind == "lift"
-                for ring in region.rings_at(move.cells[2])
+                for zone in region.zones_at(move.cells[2])
             ]
             cells = [
-                ("goal-cell", name, names[0][x], names[1][y], ring_name(ring))
-                for (x, y), ring in region.ring.items()
+                ("goal-cell", name, names[0][x], names[1][y], zone_name(zone))
+                for (x, y), zone in region.zone.items()
             ]
             yield Facts(f"and shall come to {in_metres(goal)} m", (*heights, *cells))
 

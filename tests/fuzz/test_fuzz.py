@@ -90,8 +90,8 @@ def test_every_file_that_a_command_reads_is_there_and_is_changed_the_same_again(
     for end in (layout.SCENE, layout.NUMERIC_PDDL, layout.RECORD, ".plan", "interactions.partial.npz"):
         assert any(path.endswith(end) for path in seeds), end
     for path, content in seeds.items():
-        drawn = [mutated(Random(n), path, seeds) for n in range(5)]
-        assert drawn == [mutated(Random(n), path, seeds) for n in range(5)]
+        drawn = [mutated(Random(n), path, seeds) for n in range(9)]
+        assert drawn == [mutated(Random(n), path, seeds) for n in range(9)]
         assert sum(other != content for other in drawn) > 2, path
 
 

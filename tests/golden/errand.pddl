@@ -7,7 +7,7 @@
     item-01 - block
     item-02 - tray
     m-000 m-001 m-010 - motion
-    ring1 - ring
+    zone1 - zone
     dx-3 dx0 dx1 dx4 - x-shift
     x00 x01 x02 x03 x04 x05 x06 x07 x08 x09 x10 x11 x12 x13 x14 x15 x16 x17 x18 x19 x20 x21 x22 x23 x24 x25 x26 x27 x28 x29 x30 - x-cell
     dy-2 dy-1 dy0 dy3 dy4 - y-shift
@@ -18,11 +18,11 @@
     ; item-01 lies at (0.4512, 0.0133, 0.0250) m at first
     (by-cells item-01) (on-table item-01) (at-x item-01 x08) (at-y item-01 y16) (lifts item-01 m-010 dx1 dy-1 cost33) (lowers item-01 m-010 dx0 dy0) (pushes item-01 m-001 dx4 dy-1 cost16) (pushes item-01 m-000 dx0 dy4 cost16)
     ; and shall come to (0.5350, -0.0200, 0.2280) m
-    (goal-lifted item-01 m-010 ring1) (goal-cell item-01 x11 y13 ring1) (goal-cell item-01 x11 y14 ring1) (goal-cell item-01 x11 y15 ring1) (goal-cell item-01 x12 y13 ring1) (goal-cell item-01 x12 y14 ring1) (goal-cell item-01 x12 y15 ring1) (goal-cell item-01 x12 y16 ring1) (goal-cell item-01 x13 y13 ring1) (goal-cell item-01 x13 y14 ring1) (goal-cell item-01 x13 y15 ring1) (goal-cell item-01 x13 y16 ring1) (goal-cell item-01 x14 y14 ring1) (goal-cell item-01 x14 y15 ring1)
+    (goal-lifted item-01 m-010 zone1) (goal-cell item-01 x11 y13 zone1) (goal-cell item-01 x11 y14 zone1) (goal-cell item-01 x11 y15 zone1) (goal-cell item-01 x12 y13 zone1) (goal-cell item-01 x12 y14 zone1) (goal-cell item-01 x12 y15 zone1) (goal-cell item-01 x12 y16 zone1) (goal-cell item-01 x13 y13 zone1) (goal-cell item-01 x13 y14 zone1) (goal-cell item-01 x13 y15 zone1) (goal-cell item-01 x13 y16 zone1) (goal-cell item-01 x14 y14 zone1) (goal-cell item-01 x14 y15 zone1)
     ; item-02 lies at (0.6000, -0.1000, 0.0200) m at first
     (by-cells item-02) (on-table item-02) (at-x item-02 x15) (at-y item-02 y10) (pushes item-02 m-010 dx-3 dy-2 cost16) (pushes item-02 m-000 dx0 dy3 cost54)
     ; and shall come to (0.5450, -0.0870, 0.0200) m
-    (goal-on-table item-02 ring1) (goal-cell item-02 x11 y10 ring1) (goal-cell item-02 x11 y11 ring1) (goal-cell item-02 x11 y12 ring1) (goal-cell item-02 x12 y09 ring1) (goal-cell item-02 x12 y10 ring1) (goal-cell item-02 x12 y11 ring1) (goal-cell item-02 x12 y12 ring1) (goal-cell item-02 x13 y09 ring1) (goal-cell item-02 x13 y10 ring1) (goal-cell item-02 x13 y11 ring1) (goal-cell item-02 x13 y12 ring1) (goal-cell item-02 x14 y10 ring1) (goal-cell item-02 x14 y11 ring1)
+    (goal-on-table item-02 zone1) (goal-cell item-02 x11 y10 zone1) (goal-cell item-02 x11 y11 zone1) (goal-cell item-02 x11 y12 zone1) (goal-cell item-02 x12 y09 zone1) (goal-cell item-02 x12 y10 zone1) (goal-cell item-02 x12 y11 zone1) (goal-cell item-02 x12 y12 zone1) (goal-cell item-02 x13 y09 zone1) (goal-cell item-02 x13 y10 zone1) (goal-cell item-02 x13 y11 zone1) (goal-cell item-02 x13 y12 zone1) (goal-cell item-02 x14 y10 zone1) (goal-cell item-02 x14 y11 zone1)
     ; where steps lead
     (x-sum dx-3 x03 x00) (x-sum dx-3 x04 x01) (x-sum dx-3 x05 x02) (x-sum dx-3 x06 x03) (x-sum dx-3 x07 x04) (x-sum dx-3 x08 x05) (x-sum dx-3 x09 x06) (x-sum dx-3 x10 x07) (x-sum dx-3 x11 x08) (x-sum dx-3 x12 x09) (x-sum dx-3 x13 x10) (x-sum dx-3 x14 x11) (x-sum dx-3 x15 x12) (x-sum dx-3 x16 x13) (x-sum dx-3 x17 x14) (x-sum dx-3 x18 x15) (x-sum dx-3 x19 x16) (x-sum dx-3 x20 x17) (x-sum dx-3 x21 x18) (x-sum dx-3 x22 x19) (x-sum dx-3 x23 x20) (x-sum dx-3 x24 x21) (x-sum dx-3 x25 x22) (x-sum dx-3 x26 x23) (x-sum dx-3 x27 x24) (x-sum dx-3 x28 x25) (x-sum dx-3 x29 x26) (x-sum dx-3 x30 x27)
     (x-sum dx0 x00 x00) (x-sum dx0 x01 x01) (x-sum dx0 x02 x02) (x-sum dx0 x03 x03) (x-sum dx0 x04 x04) (x-sum dx0 x05 x05) (x-sum dx0 x06 x06) (x-sum dx0 x07 x07) (x-sum dx0 x08 x08) (x-sum dx0 x09 x09) (x-sum dx0 x10 x10) (x-sum dx0 x11 x11) (x-sum dx0 x12 x12) (x-sum dx0 x13 x13) (x-sum dx0 x14 x14) (x-sum dx0 x15 x15) (x-sum dx0 x16 x16) (x-sum dx0 x17 x17) (x-sum dx0 x18 x18) (x-sum dx0 x19 x19) (x-sum dx0 x20 x20) (x-sum dx0 x21 x21) (x-sum dx0 x22 x22) (x-sum dx0 x23 x23) (x-sum dx0 x24 x24) (x-sum dx0 x25 x25) (x-sum dx0 x26 x26) (x-sum dx0 x27 x27) (x-sum dx0 x28 x28) (x-sum dx0 x29 x29) (x-sum dx0 x30 x30)

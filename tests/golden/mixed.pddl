@@ -9,7 +9,7 @@
     item-02 - slab
     start-item-01 start-item-02 goal-item-01 goal-item-02 park-01 park-02 - spot
     m-001 m-010 - motion
-    ring1 - ring
+    zone1 - zone
     dx0 dx4 - x-shift
     x00 x01 x02 x03 x04 x05 x06 x07 x08 x09 x10 x11 x12 x13 x14 x15 x16 x17 x18 x19 x20 x21 x22 x23 x24 x25 x26 x27 x28 x29 x30 - x-cell
     dy0 dy4 - y-shift
@@ -36,7 +36,7 @@
     ; item-02 lies at (0.7000, 0.0000, 0.0250) m at first
     (by-cells item-02) (on-table item-02) (at-x item-02 x15) (at-y item-02 y15) (pushes item-02 m-010 dx4 dy0 cost6) (pushes item-02 m-001 dx0 dy4 cost6)
     ; and shall come to (0.7000, 0.1600, 0.0250) m
-    (goal-on-table item-02 ring1) (goal-cell item-02 x14 y23 ring1) (goal-cell item-02 x15 y22 ring1) (goal-cell item-02 x15 y23 ring1) (goal-cell item-02 x15 y24 ring1) (goal-cell item-02 x16 y23 ring1)
+    (goal-on-table item-02 zone1) (goal-cell item-02 x14 y23 zone1) (goal-cell item-02 x15 y22 zone1) (goal-cell item-02 x15 y23 zone1) (goal-cell item-02 x15 y24 zone1) (goal-cell item-02 x16 y23 zone1)
     ; where steps lead
     (x-sum dx0 x00 x00) (x-sum dx0 x01 x01) (x-sum dx0 x02 x02) (x-sum dx0 x03 x03) (x-sum dx0 x04 x04) (x-sum dx0 x05 x05) (x-sum dx0 x06 x06) (x-sum dx0 x07 x07) (x-sum dx0 x08 x08) (x-sum dx0 x09 x09) (x-sum dx0 x10 x10) (x-sum dx0 x11 x11) (x-sum dx0 x12 x12) (x-sum dx0 x13 x13) (x-sum dx0 x14 x14) (x-sum dx0 x15 x15) (x-sum dx0 x16 x16) (x-sum dx0 x17 x17) (x-sum dx0 x18 x18) (x-sum dx0 x19 x19) (x-sum dx0 x20 x20) (x-sum dx0 x21 x21) (x-sum dx0 x22 x22) (x-sum dx0 x23 x23) (x-sum dx0 x24 x24) (x-sum dx0 x25 x25) (x-sum dx0 x26 x26) (x-sum dx0 x27 x27) (x-sum dx0 x28 x28) (x-sum dx0 x29 x29) (x-sum dx0 x30 x30)
     (x-sum dx4 x00 x04) (x-sum dx4 x01 x05) (x-sum dx4 x02 x06) (x-sum dx4 x03 x07) (x-sum dx4 x04 x08) (x-sum dx4 x05 x09) (x-sum dx4 x06 x10) (x-sum dx4 x07 x11) (x-sum dx4 x08 x12) (x-sum dx4 x09 x13) (x-sum dx4 x10 x14) (x-sum dx4 x11 x15) (x-sum dx4 x12 x16) (x-sum dx4 x13 x17) (x-sum dx4 x14 x18) (x-sum dx4 x15 x19) (x-sum dx4 x16 x20) (x-sum dx4 x17 x21) (x-sum dx4 x18 x22) (x-sum dx4 x19 x23) (x-sum dx4 x20 x24) (x-sum dx4 x21 x25) (x-sum dx4 x22 x26) (x-sum dx4 x23 x27) (x-sum dx4 x24 x28) (x-sum dx4 x25 x29) (x-sum dx4 x26 x30)

@@ -94,7 +94,7 @@ def _random_steps(
     """Draw steps that fit their objects; what was lifted is mostly put down again."""
     operators = {one["name"]: one for one in domain["operators"]["operators"]}
     pairs = [(name, one) for name in names for one in problem.objects]
-    fitting = [(name, one.name) for name, one in pairs if operators[name]["category"] == one.subject]
+    fitting = [(name, one.name) for name, one in pairs if operators[name]["category"] == one.category]
     steps: list[Step] = []
     for _ in range(rng.integers(1, 6) if fitting else 0):
         name, item = fitting[rng.integers(len(fitting))]

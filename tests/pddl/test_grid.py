@@ -90,7 +90,7 @@ def test_plan_into_the_region_ends_within_the_tolerance_whatever_is_rounded():
         cells = np.array(grid.anchor(start.position)) + sum(moves[step.operator] for step in steps)
         in_cells = np.array(start.position) + (cells - grid.anchor(start.position)) * grid.cell
         assert np.all(np.abs(end - in_cells) <= most_rounded(steps, learned) + 1e-9)
-        if region.ring.get(tuple(cells[:2]), 0) in region.rings_at(cells[2]) and len(region.ring) > 1:
+        if region.zone.get(tuple(cells[:2]), 0) in region.zones_at(cells[2]) and len(region.zone) > 1:
             tried += 1
             apart = max(apart, math.dist(in_cells[:2], end[:2]))
             assert validate(steps, Problem("p", (start,), {"item-01": goal}), learned).valid
@@ -106,9 +106,9 @@ def test_every_cell_of_a_region_is_near_enough_even_if_every_step_rounds_the_wro
         goal = (goal[0], goal[1], goal[2] + float(rng.uniform(0.0, 0.02)))
         region, grid = goal_region(BLOCK, goal, 0.05, learned, steps=steps), grid_of(learned)
         anchor, error = np.array(grid.anchor(BLOCK.position)), np.array(rounding(BLOCK, learned))
-        for z in region.heights if len(region.ring) > 1 else ():
-            errs, rings = error * [steps, steps, z > 0], region.rings_at(z)
-            spots = np.array([(*xy, z) for xy, ring in region.ring.items() if ring in rings]).reshape(-1, 3)
+        for z in region.heights if len(region.zone) > 1 else ():
+            errs, zones = error * [steps, steps, z > 0], region.zones_at(z)
+            spots = np.array([(*xy, z) for xy, zone in region.zone.items() if zone in zones]).reshape(-1, 3)
             off = np.abs(np.array(BLOCK.position) + (spots - anchor) * grid.cell - goal) + errs
             assert np.all(np.linalg.norm(off, axis=1) <= 0.05 + 1e-9)
             cells += len(spots)
@@ -117,7 +117,7 @@ def test_every_cell_of_a_region_is_near_enough_even_if_every_step_rounds_the_wro
 
 def test_more_steps_shrink_the_region_and_none_is_the_whole_disc():
     learned, goal = grounding(), (0.5, 0.05, 0.025)
-    sizes = [len(goal_region(BLOCK, goal, 0.05, learned, steps=steps).ring) for steps in (0, 3, 10, 1000)]
+    sizes = [len(goal_region(BLOCK, goal, 0.05, learned, steps=steps).zone) for steps in (0, 3, 10, 1000)]
     assert sizes == sorted(sizes, reverse=True)
     assert sizes[0] == sum(
         math.hypot(x * 0.005 - 0.0488, y * 0.005 - 0.0367) <= 0.05
@@ -136,13 +136,13 @@ def test_goal_in_the_air_takes_every_height_that_lifts_end_at_over_its_own_disc(
 
     assert heights(0.2, 0.22).heights == (40, 44)
     both, near = heights(0.2, 0.24), heights(0.2)
-    assert (both.heights, both.rings_at(40), both.rings_at(48), both.rings_at(0)) == (
+    assert (both.heights, both.zones_at(40), both.zones_at(48), both.zones_at(0)) == (
         (40, 48),
         [1, 2],
         [2],
         [],
     )
-    assert both.ring.keys() == near.ring.keys()  # what is far takes nothing of what is near
+    assert both.zone.keys() == near.zone.keys()  # what is far takes nothing of what is near
     assert goal_region(BLOCK, (0.5, 0.05, 0.225), 0.05, grounding(), steps=3).heights == (41,)
     assert goal_region(BLOCK, (0.5, 0.05, 0.125), 0.05, grounding(), steps=3).heights == ()
     tray = item("item-02", 0.6, -0.1, category="11", height=0.04)  # which nothing lifts

@@ -66,12 +66,12 @@ def test_steps_over_cells_are_written_with_their_motion_and_where_it_leads():
         "(push item-02 m-010 dx-5 dy-5 cost16)",
         "(move-x item-02 dx-5 x30 x25)",
         "(move-y item-02 dy-5 y20 y15)",
-        "(reach-cell item-01 x23 y28 ring1)",
-        "(reach-cell item-02 x25 y15 ring1)",
+        "(reach-cell item-01 x23 y28 zone1)",
+        "(reach-cell item-02 x25 y15 zone1)",
     ]
     assert parsed(LIFTED, CELLS) == (LIFT,)
     held = ground_plan([PULL, LIFT], task, learned).text.splitlines()
-    assert held[-2:] == ["(reach-lifted item-01 m-010 x16 y29 ring1)", "(reach-cell item-02 x25 y15 ring1)"]
+    assert held[-2:] == ["(reach-lifted item-01 m-010 x16 y29 zone1)", "(reach-cell item-02 x25 y15 zone1)"]
 
 
 @pytest.mark.parametrize("kind", SOLVED, ids=lambda kind: kind[1].name)

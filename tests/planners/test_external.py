@@ -189,7 +189,7 @@ def test_where_nothing_can_be_started_a_sentence_says_so(tmp_path: Path, monkeyp
 def write(folder: Path, *, cell: float = 0.03, solvable: bool = True, domain: str = "") -> tuple[Path, Path]:
     task = problem_text(problem(), grounding(cell))
     (folder / "domain.pddl").write_text(domain or domain_text(grounding(cell)))
-    unreachable = task.replace("(goal-on-table item-02 ring1)", "")
+    unreachable = task.replace("(goal-on-table item-02 zone1)", "")
     assert unreachable != task
     (folder / "problem.pddl").write_text(task if solvable else unreachable)
     return folder / "domain.pddl", folder / "problem.pddl"

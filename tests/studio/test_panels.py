@@ -78,14 +78,14 @@ def test_what_comes_from_outside_is_never_markup(told):
 
 
 def test_plans_and_runs_are_told_with_their_steps_and_promises():
-    record = read_json(LIBRARY.folder / "plans" / "task-02.fast-downward.json", PlanRecord)
+    record = read_json(LIBRARY.folder / "plans" / "task-06.fast-downward.json", PlanRecord)
     steps = [PlanStep(*step) for step in record.steps]
-    lines = lines_of(steps, understand(LIBRARY.load_problem("task-02"), LIBRARY.grounding))
+    lines = lines_of(steps, understand(LIBRARY.load_problem("task-06"), LIBRARY.grounding))
     told = plan_list(lines, Palette(), at=1)
     assert all(operator in told and name in told for operator, name, *_ in record.steps)
     assert told.count('aria-current="step"') == 1
     put_down = PlanStep(f"put-down-{steps[1].operator}", steps[1].object)
-    (both,) = lines_of([steps[1], put_down], understand(LIBRARY.load_problem("task-02"), LIBRARY.grounding))
+    (both,) = lines_of([steps[1], put_down], understand(LIBRARY.load_problem("task-06"), LIBRARY.grounding))
     assert both.said.startswith("lift item-01, put it down ")
     side_by_side = lanes({"a": lines, "b": (lines[0], both)}, Palette(), "a")
     assert "they part at step 2" in side_by_side
@@ -93,7 +93,7 @@ def test_plans_and_runs_are_told_with_their_steps_and_promises():
     assert "they are the same" in lanes({"a": lines, "b": lines}, Palette(), "a")
     marked = pddl_page(LIBRARY.grounding, "push", "(push item-01)", "step 1").partition("<mark ")[2]
     assert marked.partition(">")[2].lstrip().startswith("(:action push ")
-    run = read_json(LIBRARY.folder / "runs" / "task-02.fast-downward.run.json", Run)
+    run = read_json(LIBRARY.folder / "runs" / "task-06.fast-downward.run.json", Run)
     assert words.run_table(run.steps).count("as promised") == sum(step.as_promised for step in run.steps)
 
 

@@ -15,12 +15,10 @@ CORES = os.cpu_count() or 1  # how many jobs run at once by default
 
 Seeds = Annotated[int, arg(help="Seeds of everything.")]
 Steps = Annotated[int, arg(help="Interactions of each exploration.")]
-Tasks = Annotated[int, arg(help="Tasks of each kind.")]
 Scale = Annotated[float, arg(help="How much is measured, as a share of the full number.")]
 Work = Annotated[Path, arg(help="Folder for what was learned and measured.")]
 Results = Annotated[Path, arg(help="Folder for the tables.")]
 Workers = Annotated[int, arg(help="Jobs at once.")]
-OnlyReport = Annotated[bool, arg(help="Write the tables from what is there.")]
 
 
 def scaled(scale: float, number: int) -> int:

@@ -60,20 +60,18 @@ def main(
     work: options.Work = Path("evaluation"),
     results: options.Results = options.RESULTS,
     workers: options.Workers = options.CORES,
-    only_report: options.OnlyReport = False,
 ) -> None:
-    """Explore, do every job that was not done, and write the results."""
+    """Explore, do every job that was not done, and write the results, also of what was there before."""
     options.check_positive(seeds=seeds, steps=steps, workers=workers)
     evaluation = Evaluation("learning", work, results, workers)
     report = partial(write_results, evaluation, seeds, steps)
-    if not only_report:
-        _explore(work / "test", "random", TEST_SEED, TEST_STEPS, workers)
-        for seed in range(1, seeds + 1):
-            for strategy in dict.fromkeys(EXPLORED.get(one, one) for one in STRATEGIES):
-                _explore(work / f"{strategy}-{seed}", strategy, seed, steps, workers)
-        for few in jobs_in_turn(work, seeds, steps):
-            evaluation.perform(few, "measuring", report)
     report()
+    _explore(work / "test", "random", TEST_SEED, TEST_STEPS, workers)
+    for seed in range(1, seeds + 1):
+        for strategy in dict.fromkeys(EXPLORED.get(one, one) for one in STRATEGIES):
+            _explore(work / f"{strategy}-{seed}", strategy, seed, steps, workers)
+    for few in jobs_in_turn(work, seeds, steps):
+        evaluation.perform(few, "measuring", report)
 
 
 def _explore(folder: Path, strategy: StrategyName, seed: int, steps: int, workers: int) -> None:

@@ -5,7 +5,6 @@ it was; what was measured with another domain is measured again. The results go 
 scaling, each as .json, .md and .png), as far as they are known.
 """
 
-import time
 from pathlib import Path
 from typing import Annotated
 
@@ -19,8 +18,6 @@ from tools.benchmarks.planning.pictures import draw_scaling, draw_table3
 from tools.benchmarks.planning.summary import summarise
 from tools.benchmarks.planning.tables import page, scaling_page
 
-REPORT_EVERY = 60.0  # seconds between two reports while jobs are being done
-
 
 def main(
     seeds: Annotated[int, tyro.conf.arg(help="Seeds of Table III; 1 is the short form.")] = 5,
@@ -29,24 +26,15 @@ def main(
     work: options.Work = Path("evaluation/planning"),
     results: options.Results = options.RESULTS,
     workers: options.Workers = options.CORES,
-    only_report: options.OnlyReport = False,
 ) -> None:
     """Learn, do every job that was not done, and write the results."""
     options.check_positive(seeds=seeds, steps=steps, workers=workers)
     evaluation = Evaluation("planning", work, results, workers)
-    agenda, last = Agenda(work, size_of(seeds, steps, strategies)), time.monotonic()
-
-    def now_and_then() -> None:
-        nonlocal last
-        if time.monotonic() - last >= REPORT_EVERY:
-            write_results(evaluation, agenda)
-            last = time.monotonic()
-
+    agenda = Agenda(work, size_of(seeds, steps, strategies))
     write_results(evaluation, agenda)
-    if not only_report:
-        for label, turn in agenda.turns(learn=True):
-            wanted = {name: job for name, job in turn.items() if "-none-" not in name}
-            evaluation.perform(wanted, label, now_and_then, fresh=label == "scaling")
+    for label, turn in agenda.turns(learn=True):
+        wanted = {name: job for name, job in turn.items() if "-none-" not in name}
+        evaluation.perform(wanted, label, fresh=label == "scaling")
         write_results(evaluation, agenda)
 
 

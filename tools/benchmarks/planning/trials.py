@@ -119,7 +119,7 @@ def _step(record: StepRecord, task: Problem, grounding: Grounding, before: Vecto
     return Step(
         operator=record.operator,
         object=task.object_names.index(record.object),
-        category=grounding.operator_named(record.operator).category,
+        category=grounding.operator_named(record.operator).subject,
         promised=None if aim is None else round(1000 * math.hypot(*aim)),
         moved=round(1000 * math.hypot(*moved)),
         error=None if error is None else round(1000 * error, 1),
@@ -132,7 +132,7 @@ def _step(record: StepRecord, task: Problem, grounding: Grounding, before: Vecto
 def resting_promise(name: str, item: SceneObject, tolerance: float, grounding: Grounding) -> Vector:
     """Return where an operator promises to bring an object once nothing is held any more [m]."""
     learned = grounding.operator_named(name)
-    one_of_these = msgspec.structs.replace(item, category=learned.category)  # as it was when last seen
+    one_of_these = msgspec.structs.replace(item, category=learned.subject)  # as it was when last seen
     operator = promised(grounding, one_of_these, tolerance).get(name, learned)
     assert operator.promise is not None, "it promised to end held, or at rest"
     return at_rest(operator.promise)

@@ -44,10 +44,10 @@ def look(browser: Any, pages: list[Path]) -> Iterator[tuple[int, int, list[str]]
             tab.close()
 
 
-def measure_pages(folder: Path | None = None) -> dict[str, Any]:
-    """Write each shipped domain's report, and the site, into a folder if one is given; look at them."""
+def measure_pages() -> dict[str, Any]:
+    """Write each shipped domain's report, and the site, and look at them."""
     with tempfile.TemporaryDirectory() as place, chromium() as browser:
-        root = folder or Path(place)
+        root = Path(place)
         for name in DOMAINS:
             shutil.copytree(ROOT / "domains" / name, root / name, dirs_exist_ok=True)
             subprocess.run([sys.executable, "-m", "neurosym", "report", root / name, "--quiet"], check=True)
