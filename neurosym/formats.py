@@ -108,15 +108,7 @@ class PairFile(PairStates, frozen=True):
         found = []
         for one in self.operators:
             ends = (pair_end(*msgspec.structs.astuple(end)) for end in one.ends)
-            told = (
-                one.name,
-                one.pair,
-                one.primitive,
-                one.trials,
-                tuple(ends),
-                one.promised or None,
-                one.variant,
-            )
+            told = one.name, one.pair, one.primitive, one.trials, tuple(ends), one.promised or None
             company = tuple((how, getattr(one, how)) for how in OF_PAIRS)
-            found.append(Operator(*told, frame="pair", company=company))
+            found.append(Operator(*told, one.variant, frame="pair", company=company))
         return RelationOperators(self.states, self.scales, self.pairs, self.primitives, tuple(found))

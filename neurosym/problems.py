@@ -152,12 +152,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
                 )
         if not 0 < self.tolerance < math.inf:
             raise InvalidValue(f"The tolerance is {self.tolerance} m; it must be greater than 0.")
-        _check_relation_goals(self.related, names, self.goals)
-
-    @property
-    def related(self) -> tuple[RelationGoal, ...]:
-        """The goals by relation."""
-        return self.relations
+        _check_relation_goals(self.relations, names, self.goals)
 
     @property
     def object_names(self) -> tuple[str, ...]:
@@ -253,7 +248,7 @@ def goal_heights(problem: Problem, lift_height: float) -> tuple[float, float]:
 
 def check_goals(problem: Problem, table: Table, z_range: tuple[float, float]) -> None:
     """Raise `InvalidValue` unless there are goals, and each on the table and at a possible height [m]."""
-    if not (problem.goals or problem.related):
+    if not (problem.goals or problem.relations):
         raise InvalidValue(f"The problem {problem.name} has no goal; give at least one object a goal.")
     bounds = {"x": table.x, "y": table.y, "z": z_range}
     for name, goal in problem.goals.items():

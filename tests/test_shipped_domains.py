@@ -63,7 +63,7 @@ def test_there_are_twenty_problems_of_its_kinds(name):
     sizes = [len(problem.objects) for problem in problems.values()]
     assert (len(problems), min(sizes), max(sizes)) == (20, least, most)
     assert {one.split("-")[0] for one in problems} == kinds
-    related = [problem for problem in problems.values() if problem.related]
+    related = [problem for problem in problems.values() if problem.relations]
     assert bool(related) == (name == "towers")
     assert not any(is_reached(problem, grounding_of(name)) for problem in related)
 

@@ -125,9 +125,9 @@ def _say_made(domain: DomainFolder, folder: Path, name: str, verb: str) -> None:
     say(f"{verb} {folder / problem_files(name)[0]} and its scene")
     if is_reached(problem, Grounding.load(domain / GROUNDING)):
         say(f"note: it is met at the start, within {1000 * problem.tolerance:g} mm")
-    for target, other, state in problem.related:
+    for target, other, state in problem.relations:
         say(f"  goal: {target} {state} {other}")
-    for target, (x, y, *_) in problem.goals.items() if problem.related else ():
+    for target, (x, y, *_) in problem.goals.items() if problem.relations else ():
         say(f"  goal: {target} at ({x:.3f}, {y:.3f})")
 
 

@@ -146,7 +146,7 @@ class Situation:
         """Say how near the goals are, as the record of a run does."""
         unmet, positions = self.unmet(), self.scene.positions
         reached = self.problem.is_met(positions) and not unmet
-        told = unmet if self.problem.related else msgspec.UNSET
+        told = unmet if self.problem.relations else msgspec.UNSET
         return {"reached": reached, "distances": self.problem.distances(positions), "unmet": told}
 
     def be_nudged(self, nudge: Nudge) -> None:

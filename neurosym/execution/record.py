@@ -274,7 +274,7 @@ def record_step(
     if outcome:
         is_put = grounding.operator_named(step.operator).frame == "pair"
         told = (_put if is_put else _moved)(step, problem, grounding, outcome)
-        if grounding.relations and (problem.related or is_put):
+        if grounding.relations and (problem.relations or is_put):
             bearers = bearers_of(seen_now(problem, scene, outcome.contacts), grounding.relations)
             told["relations"] = {name: f"{borne.state.name} {borne.by}" for name, borne in bearers.items()}
         told |= {

@@ -321,9 +321,8 @@ def new_plan(
     effort for all new plans is spent, no more are asked for.
     """
     reason, effort = "", effort or Effort()
-    for believing in (experience, experience.hoping_again(seen))[
-        : 1 + bool(experience._seen or experience._kept)
-    ]:
+    hopes = [experience.hoping_again(seen)] if experience._seen or experience._kept else []
+    for believing in (experience, *hopes):
         for task in (seen, *_for_fewer(seen, believing)):
             if effort.is_used_up:
                 break
@@ -344,8 +343,7 @@ def _for_fewer(problem: Problem, experience: Experience) -> Iterator[Problem]:
     carried = [name for name in understand(believed, grounding).carried if name in problem.goals]
     missed = sorted(problem.unmet, key=lambda name: (name not in carried, name))
     met = problem.goals.keys() - set(missed)
-    every = {*met, *carried}
-    for names in (every, *({*met, name} for name in missed)):
+    for names in ({*met, *carried}, *({*met, name} for name in missed)):
         if met < names < set(problem.goals):
             goals = {name: goal for name, goal in problem.goals.items() if name in names}
             yield msgspec.structs.replace(problem, goals=goals)

@@ -113,7 +113,7 @@ def parse_plan(
     path: Path,
     grounding: Grounding,
     problem: Problem,
-    printed: Callable[[tuple[str, ...]], StripsProblem] | None = None,
+    printed: Callable[..., StripsProblem] | None = None,
 ) -> tuple[PlanStep, ...]:
     """Read the text of a plan, which errors say is from the path.
 
@@ -241,30 +241,29 @@ def _known(grounding: Grounding, problem: Problem) -> set[str]:
     """Name the objects, and all actions of the domain, in short and of earlier versions."""
     names = [one.name for one in grounding.operators]
     forms = [form for name in names for form in (name, f"{PUT_DOWN}{name}", f"{name}{_LADEN}")]
-    return {CARRY, *_of_page(grounding), *problem.object_names, *_notes(grounding), *forms}
-
-
-def _of_page(grounding: Grounding) -> set[str]:
-    return {action.name for action in strips.page(grounding).actions}
+    page = {action.name for action in strips.page(grounding).actions}
+    return {CARRY, *page, *problem.object_names, *_notes(grounding), *forms}
 
 
 def _notes(grounding: Grounding) -> set[str]:
     """Name the actions of earlier versions that are no step, but belonged to one or said what is so."""
     left = {f"leave-{one.name}" for one in (grounding.relations.states if grounding.relations else ())}
-    names = [
-        f"{first}{one.name}" for one in grounding.operators if one.frame != "pair" for first in ("", PUT_DOWN)
-    ]
-    return {*_FORMER, *left, *(f"finish-{name}-{axis}" for name in names for axis in AXES)}
+    moves = [one.name for one in grounding.operators if one.frame != "pair"]
+    ends = {f"finish-{first}{name}-{axis}" for name in moves for first in ("", PUT_DOWN) for axis in AXES}
+    return {*_FORMER, *left, *ends}
 
 
 # Ground actions, read as steps
 
 
 def _begun(
-    rows: Sequence[Atom], task: Task, printed: Callable[[tuple[str, ...]], StripsProblem] | None
+    rows: Sequence[Atom], task: Task, printed: Callable[..., StripsProblem] | None
 ) -> Iterator[PlanStep | None]:
     """Return an iterator over ground actions, of whichever encoding they are: the step that each begins."""
-    names, page = {words[0] for words in rows}, _of_page(task.grounding)
+    names, page = (
+        {words[0] for words in rows},
+        {action.name for action in strips.page(task.grounding).actions},
+    )
     if names == {CARRY}:
         return read_durative(rows, task)
     if not names or not names <= page:
@@ -272,7 +271,7 @@ def _begun(
     if is_numeric(rows):
         return read_numeric(rows, task)
     led = led_in(rows, task)
-    return read(rows, printed(led) if printed else StripsProblem(task, led=led, every=True))
+    return read(rows, printed(led=led) if printed else StripsProblem(task, led=led, every=True))
 
 
 def _in_short(rows: Sequence[Atom], task: Task, others: Collection[str]) -> Iterator[PlanStep | None]:

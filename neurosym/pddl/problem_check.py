@@ -154,7 +154,7 @@ def check_relations(problem: Problem, grounding: Grounding) -> None:
             if len(code) != len(one):
                 said = f"pairs has the code {code!r} for {pair!r}"
                 raise InvalidValue(f"{said}; valid: {len(one)} bits, like {one!r}, or no entry.")
-    if problem.related and (reason := why_no_relation(problem, grounding)):
+    if problem.relations and (reason := why_no_relation(problem, grounding)):
         raise InvalidValue(f"{reason}.")
 
 
@@ -162,7 +162,7 @@ def why_no_relation(problem: Problem, grounding: Grounding) -> str:
     """Say which goal by relation nothing leads to, and what would be valid; nothing if there is none."""
     task = understand(problem, grounding)
     bearing = ", ".join(state.name for state in grounding.bearing_states) or "none was learned"
-    for target, reference, name in problem.related:
+    for target, reference, name in problem.relations:
         state = task.state_named(name)
         if not state.bears:
             return (
@@ -188,7 +188,7 @@ def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:
 def why_too_many(problem: Problem, grounding: Grounding) -> str:
     """Say which object should bear several and cannot, or nothing."""
     puts, wanted = understand(problem, grounding).puts, dict[str, list[str]]()
-    for target, reference, _ in problem.related:
+    for target, reference, _ in problem.relations:
         wanted.setdefault(reference, []).append(target)
     for reference, targets in wanted.items():
         every = (put for target in targets for put in puts[target, reference])

@@ -328,8 +328,10 @@ def symbol_table(grounding: Grounding, *, with_others: bool = True) -> tuple[str
         for put in puts:
             if put.operator.subject:
                 chances.setdefault((put.operator.primitive, put.state.name), []).append(put.chance)
+        least_most = {key: (f"{min(each):.0%}", f"{max(each):.0%}") for key, each in chances.items()}
+        spans = {key: " to ".join(dict.fromkeys(shares)) for key, shares in least_most.items()}
         for symbol, row in groupby(sorted(chances), key=lambda one: one[0]):
-            told = (f"{key[1]} {len(chances[key])}, {_span(chances[key])}" for key in row)
+            told = (f"{key[1]} {len(chances[key])}, {spans[key]}" for key in row)
             lines.append(f"{_ROW}{symbol}  {', '.join(told)}")
     return tuple(lines)
 
@@ -357,7 +359,3 @@ def _told(operator: Operator | None) -> str:
     verb, (x, y, z) = operator.name.split(f"-{operator.label}-")[0], operator.promise.outcome
     far = z if is_lift(operator) else (x * x + y * y) ** 0.5
     return f"{verb} {1000 * far:.0f} " * (not verb.startswith("carry")) + f"{operator.chance:.0%}"
-
-
-def _span(shares: Sequence[float]) -> str:
-    return " to ".join(dict.fromkeys(f"{share:.0%}" for share in (min(shares), max(shares))))

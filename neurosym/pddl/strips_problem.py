@@ -108,7 +108,7 @@ class StripsProblem:
         if more := [atom for atom in dict.fromkeys(beside) if atom not in known]:
             facts.append(Facts("for plans beside this problem, which the exact replay takes", tuple(more)))
         goals: list[Atom] = [("done", name) for name in sorted(task.problem.goals)]
-        for target, reference, state in task.problem.related:
+        for target, reference, state in task.problem.relations:
             goals.append(("stands", target, self.perch(task.state_named(state), reference)))
         return PddlProblem(
             name=task.problem.name,
@@ -251,7 +251,7 @@ class StripsProblem:
         """The relations in which things bear, or may come to bear something, each with the thing."""
         task = self.task
         found = [(borne.state, borne.by) for borne in task.supports.values()]
-        found += [(task.state_named(state), other) for _, other, state in task.problem.related]
+        found += [(task.state_named(state), other) for _, other, state in task.problem.relations]
         found += [(one.state, other) for (_, other), row in task.put_options.items() for one in row]
         named = {self.perch(state, name): name for state, name in found}
         return dict(sorted(named.items(), key=lambda one: one[::-1]))

@@ -276,10 +276,6 @@ class Search:
     for_task: int = 0  # how much more for each byte of the task that it reads [bytes]
     weight: int = 15  # how many states of blind A* one that it evaluates takes as long as
 
-    def memory_for(self, task: Path) -> int:
-        """Return how much memory it may take for a task [bytes]."""
-        return min(MEMORY, self.memory + self.for_task * task.stat().st_size)
-
     def work(self, output: str, memory: int) -> int:
         """Return how much it has looked at [states, see `Effort`].
 
@@ -344,10 +340,11 @@ def plan_fast_downward(
             work = _TRANSLATING + (task.stat().st_size // _PER_FACT if task.is_file() else 0)
         tried = searches or (FOR_PLACES if has_places else PORTFOLIO)
         for search in tried if status is PlanStatus.SOLVED else ():
-            memory, downward = search.memory_for(task), str(programs / "downward")
-            command = [downward, "--search", search.configuration, "--internal-plan-file", str(plan)]
+            memory = min(MEMORY, search.memory + search.for_task * task.stat().st_size)
+            command = [str(programs / "downward"), "--search", search.configuration]
             left = time_limit - (time.perf_counter() - begin)
-            finished = run_limited(command, folder, left, stdin=task, memory=memory)
+            to_file = "--internal-plan-file", str(plan)
+            finished = run_limited([*command, *to_file], folder, left, stdin=task, memory=memory)
             work += search.work(finished.output, memory)
             status, reason = _judged(finished, _TITLE)
             text = read_text(plan) if status is PlanStatus.SOLVED else ""

@@ -197,13 +197,10 @@ class _Search:
         if result.status is PlanStatus.UNSOLVABLE:
             reason = _why_none(problem, grounding)
             return dataclasses.replace(result, status=PlanStatus.NOT_FOUND, reason=reason)
-        if result.status is not PlanStatus.SOLVED:
+        if not result.has_plan or (replay := validate(result.steps, problem, grounding)).valid:
             return result
-        replay = validate(result.steps, problem, grounding)
-        if not replay.valid:
-            reason = f"the plan is not true when replayed: {replay.reason}"
-            return PlanResult(PlanStatus.FAILED, (), result.seconds, reason)
-        return result
+        reason = f"the plan is not true when replayed: {replay.reason}"
+        return PlanResult(PlanStatus.FAILED, (), result.seconds, reason)
 
     def _over_cells(self, problem: Problem) -> PlanResult:
         """Lead objects over cells, away from the edges of the table if that is possible."""
@@ -295,8 +292,7 @@ class _Search:
         if answer.status is PlanStatus.TIMEOUT:
             raise TimeIsUp
         try:
-            every = partial(page, every=True)
-            steps = parse_plan(answer.text, _ANSWER, grounding, problem, lambda led: every(led=led))
+            steps = parse_plan(answer.text, _ANSWER, grounding, problem, partial(page, every=True))
         except InvalidPlan as error:
             reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
             return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)

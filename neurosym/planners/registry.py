@@ -239,10 +239,8 @@ def plan(
         check_kind("time_limit", time_limit, int | float, "a time above 0 s")
         if not time_limit > 0:
             raise InvalidValue(f"time_limit = {time_limit} s must be above 0 s.")
-    if work is not None:
-        check_kind("work", work, int, "a number of states")
-    if tell is not None:
-        check_callable("tell", tell, "a function of a text")
+    check_kind("work", 0 if work is None else work, int, "a number of states")
+    check_callable("tell", tell or say_nothing, "a function of a text")
     if predict is not None:
         check_callable("predict", predict, "a function from features (M, F) to effects (M, P, 3)")
     chosen = planner_named(planner) if isinstance(planner, str) else planner

@@ -146,7 +146,7 @@ class Library:
 
     def _strangeness(self, problem: Problem) -> tuple[bool, bool, int, int]:
         """Say how little a problem is what a newcomer should see first."""
-        related = problem.related if self.grounding.relations else ()
+        related = problem.relations if self.grounding.relations else ()
         is_tower = bool({target for target, *_ in related} & {on for _, on, _ in related})
         paths = (self.folder / RUNS).glob(f"{problem.name}.*{RECORD}")
         runs = (self._read(lambda path=path: read_json(path, Run)) for path in paths)  # type: ignore[misc]

@@ -140,11 +140,11 @@ class TablePanel(Panel):
             set_value(self._goal, tuple(round(part, 3) for part in goal))
         self._goal.disabled = goal is None
         self._toggle.label = "Take its goal away" if self._has_goal(problem) else "Give it a goal"
-        asked = next((goal for goal in problem.related if goal[0] == item.name), None)
+        asked = next((goal for goal in problem.relations if goal[0] == item.name), None)
         goals = (*session.goals_for(item.name), *filter(None, [asked]))
         self._choices = {_as_option(goal): goal for goal in goals}
         set_options(self._relation, (NOTHING, *self._choices), _as_option(asked) if asked else NOTHING)
-        set_content(self._related, words.goals_in_words(problem.related))
+        set_content(self._related, words.goals_in_words(problem.relations))
         set_value(self._name, problem.name)
         set_value(self._tolerance, round(1000 * problem.tolerance, 3))
         self.map.refresh(topics)
@@ -157,7 +157,7 @@ class TablePanel(Panel):
             set_content(self._bits, category_of(self.page) + bits)
 
     def _has_goal(self, problem: Problem) -> bool:
-        return self.page.selected in (*problem.goals, *(name for name, *_ in problem.related))
+        return self.page.selected in (*problem.goals, *(name for name, *_ in problem.relations))
 
     def _take(self, event: Any) -> None:
         if (problem := self.session.problem) is not None and event.client is not None:
@@ -181,7 +181,7 @@ class TablePanel(Panel):
         problem, name = self.session.problem, self.page.selected
         if choice in self._choices:
             self.session.relate(*self._choices[choice])
-        elif problem is not None and any(goal[0] == name for goal in problem.related):
+        elif problem is not None and any(goal[0] == name for goal in problem.relations):
             self.session.remove_goal(name)
 
     def _features(self) -> tuple[float, ...]:

@@ -92,7 +92,7 @@ def without_object(problem: Problem, name: str) -> Problem:
         problem,
         objects=tuple(item for item in problem.objects if item is not gone),
         goals={one: goal for one, goal in problem.goals.items() if one != name},
-        relations=tuple(goal for goal in problem.related if name not in goal[:2]),
+        relations=tuple(goal for goal in problem.relations if name not in goal[:2]),
         touching=None if seen is None else tuple(pair for pair in seen if name not in pair),
         pairs={},
         foreseen={},
@@ -117,7 +117,7 @@ def _with_goal(
     """Exchange the goal of one object; all stay in the order of the objects."""
     spots = {**problem.goals, name: spot}
     goals = {one: at for one in problem.object_names if (at := spots.get(one))}
-    related = [one for one in problem.related if one[0] != name] + ([relation] if relation else [])
+    related = [one for one in problem.relations if one[0] != name] + ([relation] if relation else [])
     related.sort(key=lambda one: problem.object_names.index(one[0]))
     return _by_hand(problem, goals=goals, relations=tuple(related))
 
@@ -145,7 +145,7 @@ def stacks_of(task: Task) -> dict[str, Borne]:
 
 def _supports_of(task: Task, stacks: Mapping[str, Borne]) -> dict[str, Borne]:
     """Return what bears each object in the end: as is asked, or else as it is now, in `stacks`."""
-    related = task.problem.related
+    related = task.problem.relations
     found = {target: Borne(reference, task.state_named(state)) for target, reference, state in related}
     for name, borne in stacks.items():
         if name not in (*found, *task.problem.goals) and name not in chain_below(borne.by, found):
@@ -156,7 +156,7 @@ def _supports_of(task: Task, stacks: Mapping[str, Borne]) -> dict[str, Borne]:
 def ghost_spots(task: Task) -> dict[str, Vector]:
     """Return where ghosts of objects with goals stand [m], by relation as the surest operators promise."""
     problem, scene, names = task.problem, task.problem.scene(), task.problem.object_names
-    spots, asked = dict(problem.goals), {goal[0]: goal for goal in problem.related}
+    spots, asked = dict(problem.goals), {goal[0]: goal for goal in problem.relations}
 
     def spot_of(name: str) -> Vector:
         if name not in spots and name in asked:
@@ -201,7 +201,7 @@ def _why_not_besides(task: Task, goal: RelationGoal) -> str:
         asked = with_relation(task.problem, goal)
     except InvalidValue as error:
         return str(error).rstrip(".")
-    shared = tuple(one for one in asked.related if one[1] == goal[1])
+    shared = tuple(one for one in asked.relations if one[1] == goal[1])
     return why_too_many(msgspec.structs.replace(asked, relations=shared), task.grounding)
 
 
@@ -272,8 +272,8 @@ def complaints_about(task: Task) -> dict[str, str]:
             why = why_not_there(problem, name, "goal", table, ghosts=ghosts, may_be_in=upon)
             if why := _unless_dropped(why, task, name) or _too_high(task, name):
                 found[f"goal {name}"] = why
-    if problem.related and why_no_relation(problem, task.grounding):
-        found |= {f"goal {goal[0]}": why for goal in problem.related if (why := why_no_goal(task, goal))}
+    if problem.relations and why_no_relation(problem, task.grounding):
+        found |= {f"goal {goal[0]}": why for goal in problem.relations if (why := why_no_goal(task, goal))}
     return found
 
 

@@ -152,7 +152,7 @@ class Session(Desk):
     def plan(self, planner: str) -> None:
         """Plan to the goals, or to the nearest points that are found; other planners' plans are kept."""
         problem = self._problem()
-        if not (problem.goals or problem.related):
+        if not (problem.goals or problem.relations):
             raise InvalidValue("No object has a goal; give one a goal, and plan then.")
         self._clear_run()  # plans begin where the table is set, and so it is seen
         nearest = not is_relational(problem, self.library.grounding)  # of relations nothing is near

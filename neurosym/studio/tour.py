@@ -80,7 +80,7 @@ def _stack(page: Page, number: int) -> None:
     """Ask for a tower: for what an object can be put on or into, each time another of these goals."""
     session, problem = page.session, page.session.problem
     goals = [goal for name in (problem.object_names if problem else ()) for goal in session.goals_for(name)]
-    if goals := [goal for goal in goals if problem and goal not in problem.related]:
+    if goals := [goal for goal in goals if problem and goal not in problem.relations]:
         session.relate(*goals[number % len(goals)])
     else:
         session.say("Nothing on this table can be put on anything else; draw others.", is_bad=True)

@@ -306,7 +306,7 @@ class View:
 
     def place(self, problem: Problem, ghosts: Mapping[str, Vector], complaints: Mapping[str, str]) -> None:
         """Put objects and goals where they are, framed where there is a complaint; see `Desk.complaints`."""
-        related = {name for name, *_ in problem.related}
+        related = {name for name, *_ in problem.relations}
         for item in problem.objects:
             name = item.name
             _put(self._objects[name].frame, item.position, item.orientation)

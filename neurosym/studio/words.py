@@ -119,7 +119,7 @@ def scene_in_words(problem: Problem, grounding: Grounding) -> str:
         for one in problem.objects
     ]
     goals = [f"{name} at x {x:.2f}, y {y:.2f} m" for name, (x, y, _) in problem.goals.items()]
-    goals += [f"{name} {relation_in_words(state)[0]} {other}" for name, other, state in problem.related]
+    goals += [f"{name} {relation_in_words(state)[0]} {other}" for name, other, state in problem.relations]
     return f"A robot's arm at a table. On it: {'; '.join(things)}. Goals: {'; '.join(goals) or 'none'}."
 
 

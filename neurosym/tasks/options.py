@@ -113,7 +113,9 @@ class Put:
     def with_pair(self, problem: Problem, target: str, reference: str) -> "Put":
         """Return it as it is foreseen to turn out with a pair of objects, by name, if the problem says so."""
         share = problem.foreseen.get(pair_key(target, reference), {}).get(self.name)
-        return self if share is None else replace(self, foreseen=nearest_share(share))
+        if share is None:
+            return self
+        return replace(self, foreseen=min(SHARES, key=lambda one: abs(one - share)))
 
     @property
     def chance(self) -> float:
@@ -157,7 +159,7 @@ def puts_for(
     ]
     likely = [put for put in at_hand if put.share >= LEAST_CHANCE]
     known = {put.state.symbol for put in likely}
-    asked = {state for one, other, state in problem.related if (one, other) == (target, reference)}
+    asked = {state for one, other, state in problem.relations if (one, other) == (target, reference)}
     shares = problem.foreseen.get(key, {})
     likely += [  # what is asked for, and only faintly foreseen
         put
@@ -177,11 +179,6 @@ def put_named(name: str, grounding: Grounding) -> Put | None:
     if found.frame == "pair" and found.promise and grounding.relations:
         return Put(found, found.promise, grounding.relations.state_named(found.promise.kind))
     return None
-
-
-def nearest_share(share: float) -> float:
-    """Return the nearest of `SHARES`."""
-    return min(SHARES, key=lambda one: abs(one - share))
 
 
 def carriers_for(item: SceneObject, grounding: Grounding, tolerance: float) -> tuple[Operator, ...]:

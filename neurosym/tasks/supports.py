@@ -207,7 +207,7 @@ def bearers_of(
     """
     known, beside = _known_ends(relations), _beside(problem)
     kinds = kinds_of(problem, relations) if kinds is None else kinds
-    asked = {(target, reference) for target, reference, _ in problem.related}
+    asked = {(target, reference) for target, reference, _ in problem.relations}
     every = (seen_states(problem, relations) if seen is None else seen).items()
     bears = {names: (state, off) for names, (state, off) in every if state.bears and names not in beside}
     bearing = [

@@ -270,7 +270,7 @@ class Task:
     @cached_property
     def relates(self) -> bool:
         """Whether an object is borne by another one, or shall be."""
-        return bool(self.supports or self.problem.related)
+        return bool(self.supports or self.problem.relations)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -363,7 +363,7 @@ class Task:
     @cached_property
     def most_borne(self) -> int:
         """How many objects another one bears at most in a plan: as many as asked for, or a few."""
-        wanted = Counter(reference for _, reference, _ in self.problem.related)
+        wanted = Counter(reference for _, reference, _ in self.problem.relations)
         at_first = (len(loads_of(name, self.supports)) for name in self.names)
         takes_more = any(put.operator.takes("occupied") for put in puts_of(self.grounding))
         return max([MOST_BORNE if takes_more else 1, *wanted.values(), *at_first])
@@ -383,7 +383,7 @@ def understand(problem: Problem, grounding: Grounding) -> Task:
     for known, learned, task in _latest:
         if learned is grounding and (known is problem or known == problem):
             return task
-    relations = relations_of(grounding, problem) if problem.related else grounding.relations
+    relations = relations_of(grounding, problem) if problem.relations else grounding.relations
     kinds = kinds_of(problem, relations)
     seen = seen_states(problem, relations) if relations else {}
     supports = bearers_of(problem, relations, kinds, seen) if relations else {}
@@ -408,10 +408,10 @@ def unmet_relations(problem: Problem, grounding: Grounding) -> tuple[RelationGoa
 
     Where a goal is that an object bears another one, it must be that one itself that bears it.
     """
-    if not problem.related:
+    if not problem.relations:
         return ()
     task, found = understand(problem, grounding), list[RelationGoal]()
-    for target, reference, name in problem.related:
+    for target, reference, name in problem.relations:
         asked = task.state_named(name)
         borne, seen = task.supports.get(target), task.seen[target, reference][0]
         if borne != Borne(reference, asked) if asked.bears else seen != asked:
@@ -426,7 +426,7 @@ def is_reached(problem: Problem, grounding: Grounding) -> bool:
 
 def is_relational(problem: Problem, grounding: Grounding) -> bool:
     """Say whether a problem is one of relations: it asks for some, or begins with some."""
-    return bool(problem.related) or bool(grounding.relations and understand(problem, grounding).supports)
+    return bool(problem.relations) or bool(grounding.relations and understand(problem, grounding).supports)
 
 
 def _surest(puts: tuple[Put, ...]) -> tuple[Put, ...]:

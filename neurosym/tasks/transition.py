@@ -169,7 +169,7 @@ def apply(task: Task, state: State, step: PlanStep) -> State:
 
 def missed(task: Task, state: State) -> tuple[str, str] | None:
     """Name the first object that misses its goal now, and say how; None if none does."""
-    for target, reference, name in task.problem.related:
+    for target, reference, name in task.problem.relations:
         asked, borne = task.state_named(name), state.supports.get(target)
         if borne != Borne(reference, asked):
             now = f"{borne.state.name} {borne.by}" if borne else "borne by nothing"

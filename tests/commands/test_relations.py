@@ -34,7 +34,7 @@ def made(folder: Path, problem: Problem) -> str:
 def test_scene_by_hand_is_planned_executed_and_replayed(bare, problem, capsys):
     name = made(bare, problem)
     said = capsys.readouterr().out
-    target, other, state = problem.related[0]
+    target, other, state = problem.relations[0]
     assert f"goal: {target} {state} {other}" in said
     stored = Problem.load(bare / f"problems/{name}.scene.json")
     assert (bare / f"problems/{name}.pddl").read_text() == problem_text(stored, grounding())

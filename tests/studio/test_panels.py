@@ -147,14 +147,14 @@ def test_page_begins_with_a_tower_where_relations_are_known_and_a_card_asks_for_
     assert len(LIBRARY.first_problem().objects) == 3
     with shown(shipped_library(SHIPPED.with_name("towers")), both) as panels:
         tour, session = panels[TourPanel], panels[TourPanel].session
-        (top, middle, _), (below, *_) = session.problem.related
+        (top, middle, _), (below, *_) = session.problem.relations
         assert below in (top, middle)
         assert len(tour.cards) == len(CARDS) + 1
         tour.turn(99)
         assert "Pairs of objects have bits" in tour.text()
-        before = session.problem.related
+        before = session.problem.relations
         tour.act()
-        assert session.problem.related != before
+        assert session.problem.relations != before
         assert re.fullmatch(r"goal: item-\d+ (on|in|leaning on) item-\d+", session.word.text)
 
 

@@ -79,7 +79,7 @@ def test_what_was_seen_of_contacts_and_pairs_is_forgotten_with_what_it_was_about
     assert moved(known, "item-01", 0.6, 0.2).pairs == known.pairs
     assert resized(known, "item-01", CUBE, by_size).pairs == {}
     assert with_object(known, CUBE, 0.5, 0.2, by_size).pairs == {}
-    assert [goal[1] for goal in without_object(known, "item-04").related] == ["item-05"]
+    assert [goal[1] for goal in without_object(known, "item-04").relations] == ["item-05"]
 
 
 OFF = [(0.39, 0.0), (1.01, 0.0), (0.6, 0.31), (0.6, -0.31)]

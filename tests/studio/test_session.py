@@ -274,16 +274,16 @@ def test_goal_by_relation_is_chosen_without_a_mouse_kept_and_removed(stacks):
     stacks.relate(*goal)
     stacks.relate("item-02", "item-01", REST)
     assert "circle" in stacks.word.text
-    assert stacks.problem.related == (goal,)
+    assert stacks.problem.relations == (goal,)
     content = msgspec.json.encode(stacks.problem)
     stacks.rename("kept")
     stacks.save()
     for bring in (lambda: stacks.load("kept"), lambda: stacks.open_file(content)):
         stacks.put(PLAIN)
         bring()
-        assert stacks.problem.related == (goal,)
+        assert stacks.problem.relations == (goal,)
     stacks.remove("item-02")  # which it is about
-    assert stacks.problem.related == ()
+    assert stacks.problem.relations == ()
 
 
 def test_objects_are_dragged_with_what_they_bear_and_down_from_what_bears_them(stacks):
@@ -334,19 +334,19 @@ def test_ghost_is_dragged_from_the_table_onto_an_object_and_off_again(page):
     session = page.session
     session.add_goal("item-01")
     drag(page, "item-01", (0.55, 0.15), (0.61, 0.1))
-    assert session.problem.related == (("item-01", "item-02", REST),)
+    assert session.problem.relations == (("item-01", "item-02", REST),)
     assert session.problem.goals == {}
     assert session.word.text == "goal: item-01 on item-02"
     assert session.ghosts()["item-01"] == pytest.approx((0.6, 0.1, 0.075))
     session.add_goal("item-04")
     drag(page, "item-04", (0.65, 0.15), (0.6, 0.1))  # the ghost of item-01 is uppermost there
-    assert session.problem.related[1] == ("item-04", "item-01", REST)
+    assert session.problem.relations[1] == ("item-04", "item-01", REST)
     assert session.complaints() == {}
     session.remove_goal("item-04")
     drag(page, "item-01", (0.7, 0.1), (0.8, -0.1))
-    assert session.problem.related == (("item-01", "item-03", LIE),)
+    assert session.problem.relations == (("item-01", "item-03", LIE),)
     drag(page, "item-01", (0.7, 0.05), (0.5, 0.2))
-    assert session.problem.related == ()
+    assert session.problem.relations == ()
     assert session.problem.goals["item-01"] == pytest.approx((0.5, 0.2, 0.025))
 
 

@@ -206,10 +206,10 @@ def test_tasks_are_solved_and_reached_in_the_world(kind):
 
 
 def test_towers_are_as_high_as_asked_boxes_hold_several_and_stacks_stand_at_the_start():
-    assert len(related("tower", height=4).related) == 3
-    assert {state for *_, state in related("boxes").related} == {LIE}
-    assert {state for *_, state in related("boxes", state=REST).related} == {REST}
-    assert len({reference for _, reference, _ in related("boxes", objects=8).related}) == 4
+    assert len(related("tower", height=4).relations) == 3
+    assert {state for *_, state in related("boxes").relations} == {LIE}
+    assert {state for *_, state in related("boxes", state=REST).relations} == {REST}
+    assert len({reference for _, reference, _ in related("boxes", objects=8).relations}) == 4
     stacks = related("unstack", objects=8)
     assert max(item.position[2] for item in stacks.objects) > 0.1
     assert stacks.touching
