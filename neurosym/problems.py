@@ -263,6 +263,17 @@ def check_goals(problem: Problem, table: Table, z_range: tuple[float, float]) ->
                 )
 
 
+def check_on_table(item: SceneObject, table: Table, *, off: float = 0.0) -> None:
+    """Raise `InvalidValue` unless an object stands on the table, or no farther off it than so much [m]."""
+    (x_low, x_high), (y_low, y_high) = table.x, table.y
+    x, y, _ = item.position
+    if not (x_low - off <= x <= x_high + off and y_low - off <= y <= y_high + off):
+        raise InvalidValue(
+            f"{item.name} stands at x = {x:g}, y = {y:g} m, off the table; valid: x {x_low:g} to "
+            f"{x_high:g}, y {y_low:g} to {y_high:g} m."
+        )
+
+
 def check_names(names: tuple[str, ...]) -> None:
     """Raise `InvalidValue` unless problems and objects can have these names."""
     for name in names:

@@ -20,7 +20,6 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS, Grounding
 from neurosym.operators import MIN_CHANCE, OperatorTable, counted_axes, name_operator
 from neurosym.pair_operators import RelationOperators
-from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_domain, numeric_problem, write_numeric
 from neurosym.pddl.strips import WORDS, page
@@ -28,7 +27,7 @@ from neurosym.pddl.strips_plan import GroundPlan as GroundPlan
 from neurosym.pddl.strips_plan import write
 from neurosym.pddl.strips_problem import STEPS, StripsProblem
 from neurosym.pddl.syntax import ENCODINGS, NUMERIC, STRIPS, EncodingName
-from neurosym.problems import LEGAL_NAME, SPOT, Problem, SceneObject
+from neurosym.problems import LEGAL_NAME, SPOT, Problem, SceneObject, check_on_table
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep
 from neurosym.world import Table
@@ -202,7 +201,7 @@ _OF_PLACES = rf"(start|goal|park)-.*|n\d+|{SPOT.pattern}"
 def check_object(item: SceneObject, grounding: Grounding) -> None:
     """Raise `InvalidValue` unless an object stands on the table and its name is free in the domain."""
     grounding.category(item.category)
-    check_on_table(item, grounding)
+    check_on_table(item, grounding.table)
     by_name = grounding.places or grounding.relations
     if is_taken(item.name, grounding) or (by_name and re.fullmatch(_OF_PLACES, item.name)):
         raise InvalidValue(f"No object can be called {item.name}, the domain uses that; try item-01.")

@@ -12,10 +12,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 
-from neurosym.errors import InvalidValue
 from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import Vector
-from neurosym.problems import SceneObject
+from neurosym.problems import SceneObject, check_on_table
 from neurosym.tasks.promises import usable
 
 AXES = ("x", "y", "z")
@@ -90,7 +89,7 @@ def goal_region(
     cell is left, the goal's own is taken at the nearest level, and a replay must tell. The rounding of so
     many steps is reckoned with; goal and tolerance are in metres.
     """
-    check_on_table(item, grounding)
+    check_on_table(item, grounding.table)
     grid, (error_x, error_y, error_z) = grid_of(grounding), rounding(item, grounding)
     dx, dy, height = (end - start for end, start in zip(goal, item.position, strict=True))
     misses = {z: abs(z * grid.cell - height) + (error_z if z else 0.0) for z in levels(item, grounding)}
@@ -110,17 +109,6 @@ def goal_region(
     rows, columns = (range(cell - reach, cell + reach + 1) for cell in middle)
     found = {(start_x + x, start_y + y): zone(x, y) for x in rows for y in columns if heights}
     return GoalRegion(heights, {cell: number for cell, number in found.items() if number})
-
-
-def check_on_table(item: SceneObject, grounding: Grounding, *, off: float = 0.0) -> None:
-    """Raise `InvalidValue` unless an object stands on the table, or no farther off it than so much [m]."""
-    (x_low, x_high), (y_low, y_high) = grounding.table.x, grounding.table.y
-    x, y, _ = item.position
-    if not (x_low - off <= x <= x_high + off and y_low - off <= y <= y_high + off):
-        raise InvalidValue(
-            f"{item.name} stands at x = {x:g}, y = {y:g} m, off the table; valid: x {x_low:g} to "
-            f"{x_high:g}, y {y_low:g} to {y_high:g} m."
-        )
 
 
 def levels(item: SceneObject, grounding: Grounding) -> tuple[int, ...]:

@@ -155,12 +155,6 @@ def read_numeric(actions: Sequence[Atom], task: Task) -> Iterator[PlanStep]:
         yield PlanStep(move.name, thing)
 
 
-def is_numeric(actions: Sequence[Atom]) -> bool:
-    """Say whether ground actions are of the page in numbers, whose motions are each for one object."""
-    begun = next((words for words in actions if words[0] in ("push", "lift")), ())
-    return len(begun) == 3 and begun[2].endswith(f"-{begun[1]}")
-
-
 def _offered(task: Task, thing: str) -> dict[Atom, Move]:
     """List what is done to an object, in units, by the ground action that does it.
 

@@ -24,7 +24,7 @@ from neurosym.grounding import Grounding, is_lift
 from neurosym.pddl import strips
 from neurosym.pddl.durative import CARRY, read_durative
 from neurosym.pddl.grid import AXES
-from neurosym.pddl.numeric import is_numeric, read_numeric
+from neurosym.pddl.numeric import read_numeric
 from neurosym.pddl.strips_plan import led_in, read
 from neurosym.pddl.strips_problem import StripsProblem
 from neurosym.pddl.syntax import Atom
@@ -268,10 +268,16 @@ def _begun(
         return read_durative(rows, task)
     if not names or not names <= page:
         return _in_short(rows, task, page - _FORMER - {"leave"})
-    if is_numeric(rows):
+    if _is_numeric(rows):
         return read_numeric(rows, task)
     led = led_in(rows, task)
     return read(rows, printed(led=led) if printed else StripsProblem(task, led=led, every=True))
+
+
+def _is_numeric(actions: Sequence[Atom]) -> bool:
+    """Say whether ground actions are of the page in numbers, whose motions are each for one object."""
+    begun = next((words for words in actions if words[0] in ("push", "lift")), ())
+    return len(begun) == 3 and begun[2].endswith(f"-{begun[1]}")
 
 
 def _in_short(rows: Sequence[Atom], task: Task, others: Collection[str]) -> Iterator[PlanStep | None]:

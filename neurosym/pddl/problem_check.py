@@ -12,7 +12,6 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pair_operators import rotation
 from neurosym.pddl.compiler import is_taken
-from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.strips import NOWHERE
 from neurosym.problems import (
     NEAR_TABLE,
@@ -22,10 +21,11 @@ from neurosym.problems import (
     SceneObject,
     check_goals,
     check_names,
+    check_on_table,
     goal_heights,
 )
 from neurosym.tasks.supports import chain_below, known_bearers
-from neurosym.tasks.task import GOAL, PARK, START, footprints_apart, is_at, understand, unmet_relations
+from neurosym.tasks.task import GOAL, PARK, START, footprints_apart, is_at, why_no_relation
 
 OFF_REST = 0.005
 """How far from the height it rests at an object's centre may be [m]; physics settles it within 0.1 mm."""
@@ -51,7 +51,7 @@ def check_problem(problem: Problem, grounding: Grounding | None, limits: ObjectL
                 )
         if grounding:
             grounding.category(item.category)
-            check_on_table(item, grounding, off=NEAR_TABLE)
+            check_on_table(item, grounding.table, off=NEAR_TABLE)
         if limits and item.name not in bearers:
             _check_height(item)
     for one, other in combinations(problem.objects, 2) if limits else ():
@@ -156,45 +156,3 @@ def check_relations(problem: Problem, grounding: Grounding) -> None:
                 raise InvalidValue(f"{said}; valid: {len(one)} bits, like {one!r}, or no entry.")
     if problem.relations and (reason := why_no_relation(problem, grounding)):
         raise InvalidValue(f"{reason}.")
-
-
-def why_no_relation(problem: Problem, grounding: Grounding) -> str:
-    """Say which goal by relation nothing leads to, and what would be valid; nothing if there is none."""
-    task = understand(problem, grounding)
-    bearing = ", ".join(state.name for state in grounding.bearing_states) or "none was learned"
-    for target, reference, name in problem.relations:
-        state = task.state_named(name)
-        if not state.bears:
-            return (
-                f"{target} cannot be brought to {state.name} with {reference}, in which nothing is borne; "
-                f"valid states: {bearing}"
-            )
-    for target, reference, name in unmet_relations(problem, grounding):
-        state = task.state_named(name)
-        if not any(put.state == state for put in task.puts[target, reference]):
-            valid = valid_relations(problem, grounding, target)
-            return f"no operator brings {target} to {state.name} with {reference}; {valid}"
-    return why_too_many(problem, grounding)
-
-
-def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:
-    """Say what can be done with an object relative to others."""
-    puts = understand(problem, grounding).puts
-    others = (other for other in problem.object_names if other != target)
-    known = ", ".join(dict.fromkeys(f"{put.state.name} {one}" for one in others for put in puts[target, one]))
-    return f"valid for {target}: {known}" if known else f"nothing puts {target} on or into any other object"
-
-
-def why_too_many(problem: Problem, grounding: Grounding) -> str:
-    """Say which object should bear several and cannot, or nothing."""
-    puts, wanted = understand(problem, grounding).puts, dict[str, list[str]]()
-    for target, reference, _ in problem.relations:
-        wanted.setdefault(reference, []).append(target)
-    for reference, targets in wanted.items():
-        every = (put for target in targets for put in puts[target, reference])
-        if len(targets) > 1 and not any(put.operator.takes("occupied") for put in every):
-            return (
-                f"{reference} shall bear {' and '.join(targets)}, and rehearsals show that it bears one "
-                "object at a time; leave one of the two out"
-            )
-    return ""

@@ -10,7 +10,7 @@ import msgspec
 from neurosym.errors import counted
 from neurosym.grounding import Grounding
 from neurosym.pair_operators import PairState
-from neurosym.pddl.grid import GoalRegion, goal_region, grid_of
+from neurosym.pddl.grid import GoalRegion, Grid, goal_region, grid_of
 from neurosym.pddl.strips import FROM_PERCH, FROM_SPOT, NOWHERE
 from neurosym.pddl.syntax import Atom, Facts, PddlProblem, Typed
 from neurosym.tasks.options import Move, Put
@@ -99,7 +99,11 @@ class StripsProblem:
         self._kept, self._every = kept, every
         self.led = tuple(task.led if led is None else led)
         self.cells = grid or msgspec.structs.replace(task.grounding, cell=printed_cell(task))
-        self.grid = grid_of(self.cells)
+
+    @cached_property
+    def grid(self) -> Grid:
+        """The grid that objects are led over."""
+        return grid_of(self.cells)
 
     def data(self, beside: Iterable[Atom] = (), spots: Iterable[str] = ()) -> PddlProblem:
         """Return the problem as data, with the facts and the spots that plans beside it need."""

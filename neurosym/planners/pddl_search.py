@@ -18,12 +18,11 @@ import msgspec
 from neurosym.errors import InvalidPlan, InvalidPlanner
 from neurosym.files import naming
 from neurosym.grounding import Grounding
-from neurosym.pddl.compiler import domain_text
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
-from neurosym.pddl.numeric import numeric_problem
+from neurosym.pddl.numeric import numeric_domain, numeric_problem
 from neurosym.pddl.plan_reading import parse_plan
-from neurosym.pddl.problem_check import why_no_relation
 from neurosym.pddl.sas import sas_text
+from neurosym.pddl.strips import page
 from neurosym.pddl.strips_problem import STEPS, StripsProblem, printed_cell
 from neurosym.pddl.syntax import NUMERIC, SAS, STRIPS, EncodingName
 from neurosym.planners.action_counts import candidates, choices_of, clearest_first, ends_held, mend
@@ -50,7 +49,7 @@ from neurosym.planners.planner import (
 )
 from neurosym.problems import Problem
 from neurosym.tasks.options import step_cost
-from neurosym.tasks.task import PARK, is_reached, understand
+from neurosym.tasks.task import PARK, is_reached, understand, why_no_relation
 from neurosym.tasks.transition import PlanStep, expected_success, operator_for, validate
 from neurosym.world import Table
 
@@ -272,16 +271,16 @@ class _Search:
         led = task.led if carries else tuple(name for name in task.names if name in problem.goals)
         usual = printed_cell(task) if encoding == STRIPS else grounding.cell
         grid = _fitted(grounding, problem, max(usual, self.program.cell) / slack.finer)
-        page = partial(StripsProblem, task, grid=grid, steps=slack.steps, margin=slack.margin)
+        printed = partial(StripsProblem, task, grid=grid, steps=slack.steps, margin=slack.margin)
         names: tuple[str, ...] = ("domain.pddl", "problem.pddl")
         if encoding == SAS:
             names = (f"problem{SAS_SUFFIX}",)
             texts: tuple[str, ...] = (sas_text(problem, grid, steps=slack.steps, margin=slack.margin),)
         elif encoding == NUMERIC:
             data = numeric_problem(understand(problem, grid), steps=slack.steps * NUMERIC_STEPS)
-            texts = domain_text(grid, NUMERIC, costs=costs), data.text(costs=costs)
+            texts = numeric_domain(grid).text(costs=costs), data.text(costs=costs)
         else:
-            texts = domain_text(grounding, costs=costs), page(led=led).data().text(costs=costs)
+            texts = page(grounding).text(costs=costs), printed(led=led).data().text(costs=costs)
         with scratch_folder() as folder:
             files = [folder / name for name in names]
             for file, text in zip(files, texts, strict=True):
@@ -292,7 +291,7 @@ class _Search:
         if answer.status is PlanStatus.TIMEOUT:
             raise TimeIsUp
         try:
-            steps = parse_plan(answer.text, _ANSWER, grounding, problem, partial(page, every=True))
+            steps = parse_plan(answer.text, _ANSWER, grounding, problem, partial(printed, every=True))
         except InvalidPlan as error:
             reason = f"what the planner wrote cannot be read: {textwrap.shorten(str(error), 200)}"
             return PlanResult(PlanStatus.FAILED, (), answer.seconds, reason)

@@ -19,8 +19,6 @@ from neurosym.checks import check_callable, check_kind
 from neurosym.choices import admit, is_factory, load_factory, one_line, told
 from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
-from neurosym.pddl.grid import check_on_table
-from neurosym.pddl.problem_check import why_no_relation
 from neurosym.pddl.syntax import NUMERIC, SAS, STRIPS, EncodingName
 from neurosym.planners.action_counts import plan_counting
 from neurosym.planners.bfs import (
@@ -57,8 +55,8 @@ from neurosym.planners.planner import (
     checked,
     say_nothing,
 )
-from neurosym.problems import NEAR_TABLE, Problem
-from neurosym.tasks.task import is_reached, is_relational, relations_of, understand
+from neurosym.problems import NEAR_TABLE, Problem, check_on_table
+from neurosym.tasks.task import is_reached, is_relational, relations_of, understand, why_no_relation
 from neurosym.tasks.transition import PlanStep, check_aims, validate
 
 _JAVA = ("java", "a Java runtime of version 17 or later")
@@ -247,7 +245,7 @@ def plan(
     _check_planner(chosen, "given")
     check_options(chosen, encoding=encoding, whole=whole, costs=costs)
     for item in problem.objects:
-        check_on_table(item, grounding, off=NEAR_TABLE)
+        check_on_table(item, grounding.table, off=NEAR_TABLE)
     _check_installed(chosen)
     query = Query(
         problem,

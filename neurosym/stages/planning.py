@@ -11,13 +11,12 @@ from neurosym.contract import ObjectLimits, limits_of
 from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, StageMissing, UnknownChoice, quoted
 from neurosym.grounding import Grounding
 from neurosym.operators import symbols_of
-from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.problem_check import check_problem
 from neurosym.pddl.syntax import ENCODINGS, SAS, STRIPS, EncodingName
 from neurosym.planners.no_plan import look_again
 from neurosym.planners.planner import PredictEffects
 from neurosym.planners.registry import check_options, plan, planner_named
-from neurosym.problems import Problem
+from neurosym.problems import Problem, check_on_table
 from neurosym.stages.compilation import print_beside, print_problem
 from neurosym.stages.folder import DomainFolder, Stage, load_scene
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, printed_file, scene_file, steps_file
@@ -168,7 +167,7 @@ def plan_stage(
             print_problem(folder, own, grounding)
         problem = own.within(tolerance)
         for item in problem.objects:
-            check_on_table(item, grounding)
+            check_on_table(item, grounding.table)
         tell_remarks(folder, problem, grounding, is_new=not folder.is_as_made(scene_file(name)))
         if nearest and is_relational(problem, grounding):
             raise InvalidValue(

@@ -15,9 +15,8 @@ from neurosym.files import digest
 from neurosym.grounding import Grounding
 from neurosym.operators import LEAST_SHARE, TOLERANCE, Categorise
 from neurosym.pair_operators import PairStates, RelationOperators
-from neurosym.pddl.grid import check_on_table
 from neurosym.pddl.problem_check import check_relations, relations_meant
-from neurosym.problems import Problem, RelationGoal
+from neurosym.problems import Problem, RelationGoal, check_on_table
 from neurosym.stages import layout
 from neurosym.stages.compilation import put_problem
 from neurosym.stages.folder import DomainFolder, Stage
@@ -242,7 +241,7 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
         check_scene(folder, problem, file)
         try:
             for item in problem.objects:  # only what a run saw may be a little off
-                check_on_table(item, grounding)
+                check_on_table(item, grounding.table)
         except InvalidValue as error:
             raise InvalidFile(file, str(error).rstrip(".")) from error
         tell_remarks(folder, problem, grounding)

@@ -13,11 +13,10 @@ import numpy as np
 from neurosym.errors import InvalidValue
 from neurosym.operators import Categorise, Vector, vector
 from neurosym.pair_operators import extent
-from neurosym.pddl.problem_check import valid_relations, why_no_relation, why_too_many
 from neurosym.problems import Problem, RelationGoal, SceneObject, goal_heights
 from neurosym.tasks.options import Put
 from neurosym.tasks.supports import Borne, carried_along, chain_below
-from neurosym.tasks.task import Task
+from neurosym.tasks.task import Task, valid_relations, why_no_relation, why_too_many
 from neurosym.world import Table
 
 

@@ -419,6 +419,46 @@ def unmet_relations(problem: Problem, grounding: Grounding) -> tuple[RelationGoa
     return tuple(found)
 
 
+def why_no_relation(problem: Problem, grounding: Grounding) -> str:
+    """Say which goal by relation nothing leads to, and what would be valid; nothing if there is none."""
+    task = understand(problem, grounding)
+    bearing = ", ".join(state.name for state in grounding.bearing_states) or "none was learned"
+    for target, reference, name in problem.relations:
+        state = task.state_named(name)
+        if not state.bears:
+            said = f"{target} cannot be brought to {state.name} with {reference}, in which nothing is borne"
+            return f"{said}; valid states: {bearing}"
+    for target, reference, name in unmet_relations(problem, grounding):
+        state = task.state_named(name)
+        if not any(put.state == state for put in task.puts[target, reference]):
+            valid = valid_relations(problem, grounding, target)
+            return f"no operator brings {target} to {state.name} with {reference}; {valid}"
+    return why_too_many(problem, grounding)
+
+
+def valid_relations(problem: Problem, grounding: Grounding, target: str) -> str:
+    """Say what can be done with an object relative to others."""
+    puts = understand(problem, grounding).puts
+    others = (other for other in problem.object_names if other != target)
+    known = ", ".join(dict.fromkeys(f"{put.state.name} {one}" for one in others for put in puts[target, one]))
+    return f"valid for {target}: {known}" if known else f"nothing puts {target} on or into any other object"
+
+
+def why_too_many(problem: Problem, grounding: Grounding) -> str:
+    """Say which object should bear several and cannot, or nothing."""
+    puts, wanted = understand(problem, grounding).puts, dict[str, list[str]]()
+    for target, reference, _ in problem.relations:
+        wanted.setdefault(reference, []).append(target)
+    for reference, targets in wanted.items():
+        every = (put for target in targets for put in puts[target, reference])
+        if len(targets) > 1 and not any(put.operator.takes("occupied") for put in every):
+            return (
+                f"{reference} shall bear {' and '.join(targets)}, and rehearsals show that it bears one "
+                "object at a time; leave one of the two out"
+            )
+    return ""
+
+
 def is_reached(problem: Problem, grounding: Grounding) -> bool:
     """Say whether all goals are met as the objects stand now."""
     return problem.is_met(problem.scene().positions) and not unmet_relations(problem, grounding)
