@@ -8,10 +8,12 @@ import shutil
 import tempfile
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import msgspec
+import numpy as np
 
 from neurosym.choices import AnyTask
 from neurosym.errors import InvalidValue, counted
@@ -424,6 +426,10 @@ class Running:
             self.controls = msgspec.structs.replace(self.controls, is_stopped=False, is_paused=False)
             if isinstance(said, Ran):
                 self.run, self.records = said.run, list(said.run.steps)
+                if self.moment and said.run.ended == "lost":  # no step is asked for after that
+                    before, ends = self.moment.scene, np.array([*self.records[-1].positions.values()])
+                    scene = Scene(before.features, ends, before.orientations)
+                    self.moment = replace(self.moment, scene=scene)
             self.ticket = None
         word = _ran(said) if isinstance(said, Ran) else said if said.text else Word(self.tally())
         self._session.say(*word)

@@ -13,7 +13,7 @@ from neurosym.studio.page import Page, Panel, set_content
 from neurosym.studio.panels import PlanPanel, RunPanel
 from neurosym.studio.session import planners_here
 from neurosym.studio.symbols_panel import ARROWS, SymbolsPanel, arrows
-from neurosym.studio.words import DIM, paragraph, safe, verb_of
+from neurosym.studio.words import DIM, paragraph, relation_in_words, safe, verb_of
 
 _WIDTH, _WIDER = 1, 0.005  # which size is the width, and in what steps it grows [m]
 _CELL = "display:inline-block;text-align:center;font-size:12px"
@@ -31,20 +31,29 @@ def _recall(page: Page, number: int) -> None:
 
 
 def _widen(page: Page, _: int) -> None:
-    """Make the chosen object wider until a bit of it flips; from there on narrow again."""
-    item, limits = page.item, limits_of(page.session.library.world)
-    if item is None or limits is None:
-        page.session.say("Nothing here can be made wider.", is_bad=True)
+    """Make the chosen object wider until a bit of it flips, or else another one; or else one narrower."""
+    session, limits, chosen = page.session, limits_of(page.session.library.world), page.item
+    if chosen is None or limits is None or session.problem is None:
+        session.say("Nothing here can be made wider.", is_bad=True)
         return
+    items = sorted(session.problem.objects, key=lambda one: one.name != chosen.name)
     low, high = limits.sizes[_WIDTH]
-    widths = np.append(np.arange(item.features[_WIDTH] + _WIDER, high, _WIDER), low)
-    wider = np.tile(item.features, (len(widths), 1))
-    wider[:, _WIDTH] = widths
-    codes = page.session.library.categorise(wider)
-    row = next((row for row, code in enumerate(codes) if code != item.category), len(codes) - 1)
-    page.session.resize(item.name, tuple(wider[row].tolist()))
-    change = f"turns from {item.category} to" if codes[row] != item.category else "stays"
-    page.session.say(f"{item.name} is {1000 * widths[row]:.0f} mm wide: it {change} {codes[row]}")
+    for step, end, way in ((_WIDER, high, "wider"), (-_WIDER, low, "narrower")):
+        for item in items:
+            widths = np.arange(item.features[_WIDTH] + step, end, step)
+            sizes = np.tile(item.features, (len(widths), 1))
+            sizes[:, _WIDTH] = widths
+            codes = session.library.categorise(sizes) if len(widths) else ()
+            row = next((row for row, code in enumerate(codes) if code != item.category), None)
+            if row is not None:
+                page.select(item.name)
+                session.resize(item.name, tuple(sizes[row].tolist()))
+                told = f"{item.name} is {1000 * abs(widths[row] - item.features[_WIDTH]):.0f} mm {way} now"
+                session.say(
+                    f"{told}, {1000 * widths[row]:.0f} mm: it turns from {item.category} to {codes[row]}"
+                )
+                return
+    session.say("However wide they are, no bit of these objects flips; draw others.", is_bad=True)
 
 
 def _known(page: Page) -> list[Promise]:
@@ -153,17 +162,19 @@ CARDS = (
             "Nobody told it the {categories} categories that there are here. Their names were made "
             "afterwards, from what was measured. Draw objects, and compare the bits above them.",
         ),
-        "Draw two objects",
-        lambda page, number: page.session.draw(2, number, None),
+        "Draw three objects",
+        lambda page, number: page.session.draw(3, number, None),
         picture=of_each,
     ),
     Card(
-        "a primitive and an operator",
+        "an action symbol and an operator",
         (
-            "Motions get bits, too: {action_bits} of them. For each pattern of bits the robot finds a motion "
-            "that stands for it, a primitive; there are {primitives}. What a primitive does to a category "
-            "is an operator, of which it has {operators}. Each was tried many times, so it is known where "
-            "an object ends, and how surely.",
+            "Motions get bits, too: {action_bits} of them. Such a pattern is an action symbol: it stands for "
+            "all motions with like effects, and there are {symbols}. For each, the robot keeps the motions "
+            "that do best, its primitives; {primitives} in all.",
+            "What a primitive does to a category is an operator. Each was tried many times, so it is known "
+            "where an object ends, and how surely. The {operators} that keep their promise often enough "
+            "are planned with.",
             "Each arrow is one operator of the object that is chosen, with its chance. See the first happen, "
             "and press again for the next.",
         ),
@@ -176,8 +187,8 @@ CARDS = (
         (
             "Operators are printed as PDDL, a language that planners read. A planner is a program that knows "
             "nothing of arms. It finds which operators lead to the goal, one after another.",
-            "The see-through objects are goals: so shall things stand. Drag a goal by the ball above it if "
-            "you like, and press the button.",
+            "The see-through objects are goals: there things are to stand at the end. Drag a goal by the "
+            "ball above it if you like, and press the button.",
         ),
         "Plan to the goal",
         lambda page, _: page.session.plan(planners_here()[0]),
@@ -187,9 +198,9 @@ CARDS = (
         "what went otherwise",
         (
             "Now the arm does it. What each step promised stands below, beside what happened.",
-            "A step can go otherwise, since an operator speaks of a whole category. This object is only one "
-            "of it, and stands a little elsewhere. Tried ten times, an unsure one goes as promised about "
-            "as often as its chance says: dark dots did, pale diamonds did not.",
+            "A step can go otherwise than promised, since an operator speaks of a whole category. This "
+            "object is only one of it, and stands a little elsewhere. Tried ten times, an unsure one goes "
+            "as promised about as often as its chance says: dark dots did, pale diamonds did not.",
             "Where the goal would be missed, the robot plans anew. Take an object by its body while it runs, "
             "and drag it elsewhere: before the next step it is there.",
         ),
@@ -204,12 +215,15 @@ RELATIONS = Card(
     "a relation",
     (
         "Pairs of objects have bits, too: one object can be on another, or in it. Nobody told the robot "
-        "these {states} kinds of pairs either. It put things on things, and looked how they stood then.",
+        "these kinds of pairs either: {states}. It put things on things, and looked how they stood then.",
         "Drag the see-through goal of an object over another object and let go: that asks for a tower. Or "
-        "press the button. Then plan and run it, as on the cards before.",
+        "press the button. Then plan it, and run the plan as on the card before.",
     ),
     "Ask for a tower",
     _stack,
+    "Plan to the goal",
+    lambda page, _: page.session.plan(planners_here()[0]),
+    picture=lambda page: _told(page, PlanPanel),
 )
 """A card for domains that know relations."""
 
@@ -235,6 +249,8 @@ class TourPanel(Panel):
     def turn(self, by: int) -> None:
         """Show another card, as soon as the page is drawn: two threads that draw would cross each other."""
         self.number, self._presses = min(max(0, self.number + by), len(self.cards) - 1), 0
+        if self.session.running.scene is not None:
+            self.session.reset()  # what happened again is not on the table that the other card speaks of
         self.page.hear("status")
 
     def act(self, *, is_more: bool = False) -> None:
@@ -252,14 +268,16 @@ class TourPanel(Panel):
         """Return the card, with the numbers of the domain, as HTML."""
         grounding, data = self.session.library.grounding, self.session.library.interactions
         table, card = grounding.objects, self.cards[self.number]
+        states = grounding.relations.states if grounding.relations else ()
         values = {
             "interactions": f"{len(data):,}" if data else "many",
             "object_bits": len(table.categories[0].symbol) if table.categories else "some",
             "action_bits": len(table.symbols[0]) if table.symbols else "some",
             "categories": sum(1 for one in table.categories if one.share),
-            "primitives": len(table.symbols),
+            "symbols": len(table.symbols),
+            "primitives": len(table.primitives),
             "operators": len(grounding.live),
-            "states": len(grounding.relations.states) if grounding.relations else 0,
+            "states": ", ".join(dict.fromkeys(relation_in_words(one.name)[0] for one in states)),
         }
         head = f"{self.number + 1} of {len(self.cards)}: {card.title}"
         parts = [f'<h3 style="margin:4px 0">{safe(head)}</h3>']

@@ -130,12 +130,18 @@ def verb_of(operator: str) -> str:
 
 def step_in_words(step: StepRecord) -> str:
     """Say what a step was to do: `lift item-04, 47 mm left`."""
-    to = f" to {step.place}" if step.place else ""
     if step.promised_state:
-        to = f" {step.promised_state} {step.place}"
-    elif step.promised_effect and not to:
+        return f"put {step.object} {relation_in_words(step.promised_state)[0]} {step.place}"
+    to = f" to {step.place}" if step.place else ""
+    if step.promised_effect and not to:
         to = f", {displacement_in_words(step.promised_effect)}"
     return f"{verb_of(step.operator)} {step.object}{to}"
+
+
+def _end_in_words(state: object, kind: str | None, where: str) -> str:
+    """Return how an object was to end, or ended: in a state of a pair, with its bits, or otherwise."""
+    said, bits = relation_in_words(str(state)) if state else (kind or "", "")
+    return twofold(said, " · ".join(filter(None, (bits, where))))
 
 
 def swatch(colour: str) -> str:
@@ -209,13 +215,13 @@ def run_table(records: Sequence[StepRecord]) -> str:
         if others := ", ".join(f"{name} {how}" for name, how in record.disturbed.items()):
             apart += f"<br>{coloured(others, BAD)}"
         seen = f" from {record.place}" if record.promised_state else ""
-        whom = f"{verb_of(record.operator)} {record.object} {record.place or ''}"
         promised = displacement_in_words(record.promised_effect) if record.promised_effect else ""
         happened = displacement_in_words(record.effect) + seen * (record.happened == "carried")
+        step, _, _ = step_in_words(record).partition(",")
         told = (
-            twofold(whom, record.operator),
-            twofold(record.promised_state or record.promised, promised + seen),
-            twofold(record.state or record.happened, happened),
+            twofold(step, " · ".join(re.findall(r"\b[01]+[a-z]*\b", record.operator))),
+            _end_in_words(record.promised_state, record.promised, promised + seen),
+            _end_in_words(record.state, record.happened, happened),
         )
         rows.append((str(number), *told, verdict + apart))
     return table(("", "step", "promised", "happened", ""), rows, label="promised and happened")

@@ -129,9 +129,10 @@ def test_each_card_does_what_it_says_and_can_be_stopped(tour):
         wait_for(lambda: not (session.running.is_active or session.planning))
         said.append(session.word.text)
         tour.turn(1)
-    recalled, _, drawn, performed, planned, ran = said
+    recalled, widened, drawn, performed, planned, ran = said
     assert "; the effect is" in recalled
-    assert drawn == "a task with 2 objects is on the table"
+    assert re.search(r" is \d+ mm wider now, \d+ mm: it turns from [01]+ to [01]+$", widened)
+    assert drawn == "a task with 3 objects is on the table"
     assert performed.startswith("it ended ")
     assert "found a plan of" in planned
     assert "goal reached" in ran

@@ -24,7 +24,7 @@ from toy_relations import LIE, REST, scene, sorting, tower, tower_at_place
 
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
-from neurosym.studio.messages import Controls, Planned, Seen, Word
+from neurosym.studio.messages import Controls, Planned, Ran, Seen, Word
 from neurosym.studio.page import Page
 from neurosym.studio.scene_editor import with_goal
 from neurosym.studio.session import furnished_room
@@ -99,6 +99,11 @@ def test_plans_of_two_planners_are_kept_until_the_table_changes_and_one_is_run(t
     assert toy.running.run.reached
     assert [record.as_promised for record in toy.running.records] == [True, True]
     assert not toy.word.is_bad
+    record = toy.running.run.steps[-1]
+    fell = msgspec.structs.replace(record, positions={**record.positions, "item-01": (1.2, 0.4, -0.3)})
+    lost = msgspec.structs.replace(toy.running.run, steps=(*toy.running.run.steps[:-1], fell), ended="lost")
+    toy.running._end(Ran(lost))  # it is asked for no step after that, and lies where it fell to
+    assert toy.running.as_it_stands().object_named("item-01").position == (1.2, 0.4, -0.3)
     topics = []
     toy.listen(topics.append)
     toy.aim("item-01", 0.6, 0.08)
