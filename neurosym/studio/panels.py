@@ -80,6 +80,7 @@ class TablePanel(Panel):
         heard(self._at, lambda at: session.move(self.page.selected, *map(float, at)))
         self._goal = gui.add_vector3("Goal x, y, z", (0.0, 0.0, 0.0), step=0.005, hint="In metres.")
         heard(self._goal, self._aim)
+        self._wrong = gui.add_html("")
         self._toggle = self.button("Give it a goal", self._toggle_goal)
         has_relations = session.library.grounding.relations is not None
         self._relation = gui.add_dropdown(
@@ -139,6 +140,8 @@ class TablePanel(Panel):
         if goal is not None:
             set_value(self._goal, tuple(round(part, 3) for part in goal))
         self._goal.disabled = goal is None
+        told = (session.complaints().get(f"{what} {item.name}") for what in ("object", "goal"))
+        set_content(self._wrong, "".join(words.paragraph(why, words.BAD) for why in told if why))
         self._toggle.label = "Take its goal away" if self._has_goal(problem) else "Give it a goal"
         asked = next((goal for goal in problem.relations if goal[0] == item.name), None)
         goals = (*session.goals_for(item.name), *filter(None, [asked]))

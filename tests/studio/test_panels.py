@@ -177,6 +177,8 @@ def test_place_on_the_map_is_the_size_of_the_object_and_decides_its_bits(both):
             field.take(told)
         assert page.item == before
         assert page.session.word.text == "item-01 has depth = 9 m; valid: 0.03 to 0.18 m."
+        page.session.aim("item-01", *before.position[:2], 5.0)  # said beside the field, too
+        wait_for(lambda: "the goal of item-01 is 5 m high" in panels[TablePanel]._wrong.content)
 
 
 def test_paths_are_told_as_names_of_files_and_relations_in_words():
