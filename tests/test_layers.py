@@ -213,7 +213,7 @@ def test_import_loads_what_is_heavy_only_where_it_is_needed(statement: str):
 # Few rooms at the root, no circles, few stairs
 
 PATHS = [path for _, _, path in files_of(PACKAGE)]
-MOST_AT_ROOT, MOST_LINES, MOST_LEVELS = 14, 600, 30
+MOST_AT_ROOT, MOST_LINES, MOST_LEVELS, MOST_FOR_ONE = 14, 600, 30, 240
 NO_NOUNS = {"own", "around", "among_others", "by_state", "in_turns", "saying", "telling", "asking"}
 
 
@@ -251,3 +251,16 @@ def test_every_module_has_a_name_of_its_own_that_is_a_noun():
     names = [path.stem for path in PATHS if path.stem != "__init__"]
     assert [name for name, count in Counter(names).items() if count > 1] == []
     assert not NO_NOUNS & set(names)
+
+
+def test_few_names_are_public_for_a_single_neighbour():
+    """What one planner offers to the registry is public for it alone; more of that is one idea cut in two."""
+    users = dict[tuple[str, str], set[Path]]()
+    for path in (*PATHS, *(ROOT / "tools").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("neurosym."):
+                for alias in node.names:
+                    users.setdefault((node.module or "", alias.name), set()).add(path)
+    rooms = {module: ROOT.joinpath(*module.split(".")[:-1]) for module, _ in users}
+    for_one = [key for key, found in users.items() if {one.parent for one in found} == {rooms[key[0]]}]
+    assert sum(len(users[key]) == 1 and rooms[key[0]] != PACKAGE for key in for_one) <= MOST_FOR_ONE
