@@ -69,6 +69,8 @@ def main(
 
     report()
     every, some = range(1, seeds + 1), range(1, min(seeds, AT_RANDOM) + 1)
+    for seed in every:
+        _joined(work, seed, CURIOUS)
     evaluation.perform(_learning(work, CURIOUS, every, steps), "learning relations", report)
     domains.keep(work, results / DOMAINS, _kept)
     evaluation.perform(_tried(evaluation, CURIOUS, every, cells), "trying tasks", report)
@@ -105,26 +107,32 @@ def _learning(work: Path, way: Way, seeds: Iterable[int], steps: int) -> Jobs:
 
 
 def learn(work: Path, seed: int, steps: int, way: Way) -> dict[str, Any]:
-    """Learn relations from the domain with places of a seed; what was done is not done again.
+    """Learn relations from the domain with places of a seed, unless that was done.
 
-    Returns:
-        How well its symbols agree with geometry, see `symbols.measure`, how well ends are predicted, see
-        `protocols.effect_errors`, and CPU seconds of each stage.
+    Returns the measures of `symbols.measure` and `protocols.effect_errors`, and CPU seconds of each stage.
     """
+    seconds, folder = {}, way.folder(work, seed)
+    if not _joined(work, seed, way):
+        seconds = domains.learn(folder, way.strategy, seed, steps, TO_OBJECTS)
+        _joined(work, seed, way)
+    measured = symbols.measure(folder, NEW_PAIRS + seed, workers=1)
+    errors = protocols.effect_errors(folder, NEW_PAIRS + seed, workers=1)
+    return {**measured, "effect_errors": errors, "cpu_seconds": seconds}
+
+
+def _joined(work: Path, seed: int, way: Way) -> bool:
+    """Put into a folder the domain with places of a seed, and join the relations, if they were learned."""
     places, folder = work / "places" / f"seed-{seed}", way.folder(work, seed)
-    grounding, seconds = Grounding.load(places / layout.GROUNDING), {}
+    grounding = Grounding.load(places / layout.GROUNDING)
     make_folder(folder / layout.PLACES)
     for name in (layout.WORLD, layout.MODEL):
         shutil.copy(places / name, folder / name)
     write_json(folder / layout.PLACE_OPERATORS, grounding.places)
-    if not (folder / layout.RELATION_OPERATORS).exists():
-        seconds = domains.learn(folder, way.strategy, seed, steps, TO_OBJECTS)
-    relations = PairFile.load(folder / layout.RELATION_OPERATORS).table()
-    with_relations = msgspec.structs.replace(grounding, relations=relations, format=FORMAT_WITH_RELATIONS)
-    with_relations.save(folder / layout.GROUNDING)
-    measured = symbols.measure(folder, NEW_PAIRS + seed, workers=1)
-    errors = protocols.effect_errors(folder, NEW_PAIRS + seed, workers=1)
-    return {**measured, "effect_errors": errors, "cpu_seconds": seconds}
+    if learned := (folder / layout.RELATION_OPERATORS).exists():
+        relations = PairFile.load(folder / layout.RELATION_OPERATORS).table()
+        joined = msgspec.structs.replace(grounding, relations=relations, format=FORMAT_WITH_RELATIONS)
+        joined.save(folder / layout.GROUNDING)
+    return learned
 
 
 def _tried(evaluation: Evaluation, way: Way, seeds: Iterable[int], cells: Sequence[tasks.Cell]) -> Jobs:
