@@ -44,14 +44,21 @@ def page_html(title: str, bounds: Bounds) -> bytes:
         title: What stands on the browser's tab, and is read out first.
         bounds: What a user is told while typing.
     """
-    page = read_text(_VISER)
     style, script = (read_text(_TEMPLATES / f"page.{kind}") for kind in ("css", "js"))
     told = json.dumps(bounds).replace("<", "\\u003c")
-    head = (
-        f'<title>{escape(title)}</title><link rel="icon" href="{_ICON}"/><style>{style}</style>'
-        f"<script>window.neurosymBounds = {told};\n{script}</script>"
-    )
-    page = re.sub(r'<link\s+rel="icon".*?/>|<meta name="description".*?/>', "", page, flags=re.DOTALL)
-    page = page.replace("<title>Viser</title>", head, 1)
+    ours = f"<style>{style}</style><script>window.neurosymBounds = {told};\n{script}</script>"
+    page = _headed(read_text(_VISER), title, ours)
     opening = f'{_OPENING.format(title=escape(title))}<main id="root"></main>'
     return gzip.compress(page.replace('<div id="root"></div>', opening, 1).encode())
+
+
+def film_html(page: str, title: str) -> str:
+    """Return a run that viser has recorded as a page, with a title and names for what it is played by."""
+    return _headed(page, title, f"<script>{read_text(_TEMPLATES / 'film.js')}</script>")
+
+
+def _headed(page: str, title: str, ours: str) -> str:
+    """Put our title, icon and what else is ours into the head of viser's page."""
+    head = f'<title>{escape(title)}</title><link rel="icon" href="{_ICON}"/>{ours}'
+    page = re.sub(r'<link\s+rel="icon".*?/>|<meta name="description".*?/>', "", page, flags=re.DOTALL)
+    return page.replace("<title>Viser</title>", head, 1)

@@ -21,6 +21,7 @@ from neurosym.report.symbols import Promise
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Seen, Tried
 from neurosym.studio.scene_editor import ghost_spots
+from neurosym.studio.shell import film_html
 from neurosym.studio.words import plain_name, step_in_words
 from neurosym.tasks.task import understand
 from neurosym.world import Colour, Palette
@@ -484,6 +485,6 @@ def film_of(
             last = one.pose.seconds
     view.show(seen[-1].pose)
     film.insert_sleep(2 * _PAUSE)
-    content = film.as_html().encode()
+    content = film_html(film.as_html(), f"{library.name}: a run").encode()
     server.stop()
     return content

@@ -81,4 +81,6 @@ def test_run_is_written_as_one_page(tmp_path, capsys):
     page = tmp_path / "run.html"
     assert neurosym("replay", SHIPPED, "task-03.fast-downward", "--page", page) == 0
     assert f"wrote {page}" in capsys.readouterr().out
-    assert page.read_text().rstrip().endswith("</html>")
+    written = page.read_text()
+    assert "<title>tabletop: a run</title>" in written
+    assert written.rstrip().endswith("</html>")
