@@ -29,7 +29,7 @@ from neurosym.studio.library import Library
 from neurosym.studio.page import Page
 from neurosym.studio.panels import AboutPanel, PlanPanel, RunPanel, TablePanel
 from neurosym.studio.session import Session
-from neurosym.studio.shell import bounds_of, page_html
+from neurosym.studio.shell import page_html
 from neurosym.studio.studio_workers import Workers
 from neurosym.studio.symbols_panel import SymbolsPanel
 from neurosym.studio.tour import TourPanel
@@ -276,7 +276,7 @@ class Studio:
     ):
         self._library, self._problem = library, problem
         self._planners, self._runners = Workers(max(1, os.cpu_count() or 1)), Workers(_RUNS)
-        html = page_html(f"neurosym studio: {library.name}", bounds_of(library.grounding.table))
+        html = page_html(f"neurosym studio: {library.name}", library.grounding.table)
         self.front = Front(self.open_page, self._port_of, host, port, html)
         self._pages: dict[str, Page] = {}
         self._lock = threading.RLock()

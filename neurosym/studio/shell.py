@@ -27,29 +27,27 @@ _OPENING = (
     '<div id="cover" role="status">Opening the table; this takes a few seconds.</div>'
     '<div id="live" class="unseen" role="status" aria-live="polite"></div>'
 )
-Bounds = Mapping[str, Sequence[tuple[float, float]]]
-"""Of fields by their labels: the least and the greatest value of each of their numbers."""
 
 
-def bounds_of(table: Table) -> Bounds:
-    """Return within what the fields of the panels lie whose ends viser does not tell."""
-    ends = {"Stands at x, y": (table.x, table.y), "Goal x, y, z": (table.x, table.y)}
-    return {**ends, "Tolerance [mm]": [(1, 500)], "Seed": [(0, 2**53)], "Interaction": [(0, 2**53)]}
-
-
-def page_html(title: str, bounds: Bounds) -> bytes:
+def page_html(title: str, table: Table) -> bytes:
     """Return the page that a browser is given, packed by gzip.
 
     Args:
         title: What stands on the browser's tab, and is read out first.
-        bounds: What a user is told while typing.
+        table: Within whose ends a user is told to stay while typing.
     """
     style, script = (read_text(_TEMPLATES / f"page.{kind}") for kind in ("css", "js"))
-    told = json.dumps(bounds).replace("<", "\\u003c")
+    told = json.dumps(_bounds_of(table)).replace("<", "\\u003c")
     ours = f"<style>{style}</style><script>window.neurosymBounds = {told};\n{script}</script>"
     page = _headed(read_text(_VISER), title, ours)
     opening = f'{_OPENING.format(title=escape(title))}<main id="root"></main>'
     return gzip.compress(page.replace('<div id="root"></div>', opening, 1).encode())
+
+
+def _bounds_of(table: Table) -> Mapping[str, Sequence[tuple[float, float]]]:
+    """Return within what the numbers of fields lie whose ends viser does not tell, by their labels."""
+    ends = {"Stands at x, y": (table.x, table.y), "Goal x, y, z": (table.x, table.y)}
+    return {**ends, "Tolerance [mm]": [(1, 500)], "Seed": [(0, 2**53)], "Interaction": [(0, 2**53)]}
 
 
 def film_html(page: str, title: str) -> str:

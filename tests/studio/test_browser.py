@@ -193,7 +193,8 @@ def test_scene_is_taken_as_a_file_and_a_replayed_run_as_a_page(window, browser, 
     film.on("pageerror", lambda error: window.errors.append(str(error)))
     film.goto((tmp_path / "run.html").as_uri())
     film.get_by_label("The table").wait_for(timeout=1000 * SLOW)
-    assert film.get_by_label("Play or pause").is_visible() and film.get_by_label("Pace").is_visible()
+    assert film.get_by_label("Play or pause").is_visible()
+    assert film.get_by_label("Pace").is_visible()
     film.close()
 
 
