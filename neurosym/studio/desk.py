@@ -157,7 +157,9 @@ class Desk:
         if name in self._stacks():
             under_it = problem.object_named(name).position[2] - scene_editor.table_height(problem, name)
         changed = scene_editor.resized(problem, name, features, self.library.categorise, under_it)
+        was, now = (one.object_named(name).category for one in (problem, changed))
         self._change(changed, "scene")
+        self.say(f"{name} turns from {was} to {now}" if was != now else "")
 
     @at_rest
     def add(self, features: tuple[float, ...]) -> None:

@@ -255,7 +255,7 @@ class PlanPanel(Panel):
         if numbers and self._steps.options != numbers:
             self._steps.options = numbers
         set_content(self._text, self.text())
-        self._show_pddl(lines)
+        set_content(self._pddl, self.pddl())
         self._draw_paths()
 
     def text(self) -> str:
@@ -284,15 +284,17 @@ class PlanPanel(Panel):
         self._at = number
         self.page.hear("plan")
 
-    def _show_pddl(self, lines: Sequence[Line]) -> None:
-        """Show the page of PDDL, with the action marked that the step at hand is an instance of."""
-        chosen, said = self.session.plan_shown, ""
-        if chosen is not None and lines:
-            line, grounding = lines[self._at - 1], self.session.library.grounding
-            done = self.session.steps_in_pddl()[line.first : line.first + len(line.steps)]
-            name = done[0][1:].split()[0] if done else action_for(line.steps[0].operator, grounding)
-            said = pddl_page(grounding, name, " ".join(done), f"step {self._at}: {line.said}")
-        set_content(self._pddl, said)
+    def pddl(self) -> str:
+        """Return the page of PDDL as HTML; the action is marked that the step at hand is an instance of."""
+        grounding, lines = self.session.library.grounding, self._plans().get(self.session.chosen, ())
+        if not lines:
+            return pddl_page(
+                grounding, "", "", "Once there is a plan, the action of its step is marked here."
+            )
+        line = lines[self._at - 1]
+        done = self.session.steps_in_pddl()[line.first : line.first + len(line.steps)]
+        name = done[0][1:].split()[0] if done else action_for(line.steps[0].operator, grounding)
+        return pddl_page(grounding, name, " ".join(done), f"step {self._at}: {line.said}")
 
     def _draw_paths(self) -> None:
         """Draw where the plan, or what is left of it, takes everything from where it is."""
@@ -373,8 +375,9 @@ class RunPanel(Panel):
         """Return what was promised and what happened, as HTML."""
         running, moment = self.session.running, self.session.running.moment
         parts = [words.replanning_list(running.replannings)]
-        if running.run is not None:
-            parts.insert(0, words.run_summary(running.run))
+        if running.run is not None and running.problem is not None:
+            tolerance = running.run.tolerance or running.problem.tolerance
+            parts.insert(0, words.run_summary(running.run, tolerance))
         elif running.is_active and moment and moment.left:
             line = lines_of(moment.left[:2], self.session.task())[0]
             parts.insert(0, words.paragraph(f"step {moment.number}: {line.said}"))

@@ -127,21 +127,23 @@ def _cells(cells: Sequence[str], wide: int = 1) -> str:
 def pddl_page(grounding: Grounding, name: str, ground: str, said: str) -> str:
     """Return the page of PDDL with an action marked; what stands before and after it unfolds.
 
-    `ground` is the step at hand as the plan has it, and `said` the same in words.
+    `ground` is the step at hand as the plan has it, and `said` the same in words. Without a name none is.
     """
     domain = page(grounding)
-    text, action = domain.text(), domain.action(name).text(costs=True)
+    text = domain.text()
+    action = domain.action(name).text(costs=True) if name else text
     before, _, after = text.partition(action)
+    marked = f"<mark style='{_MARK}'>{safe(action)}</mark>" if name else safe(action)
     step = f"<p style='margin:4px 0;font-size:12px'>{safe(said)}<br><code>{safe(ground)}</code></p>"
     return (
         f'{step}<div tabindex="0" role="region" aria-label="PDDL" style="max-height:340px;overflow:auto">'
-        f"{_folded(before, 'before it')}<pre style='{_PRE}'><mark style='{_MARK}'>{safe(action)}</mark></pre>"
+        f"{_folded(before, 'before it')}<pre style='{_PRE}'>{marked}</pre>"
         f"{_folded(after, 'after it')}</div>"
     )
 
 
 def _folded(text: str, where: str) -> str:
-    """Return a part of the page that unfolds."""
+    """Return a part of the page that unfolds, if there is any."""
     head = coloured(f"{text.count(chr(10))} lines of the page {where}", DIM)
     folded = f"<pre style='{_PRE}'>{safe(text)}</pre>"
-    return f"<details style='font-size:12px'><summary>{head}</summary>{folded}</details>"
+    return f"<details style='font-size:12px'><summary>{head}</summary>{folded}</details>" * bool(text)

@@ -85,9 +85,17 @@ def _doubt(page: Page, _: int) -> None:
     session.running.try_ten(name, promise.operator.name)
 
 
+def _draw(page: Page, number: int) -> None:
+    """Draw a task for three objects: to places on the table, where the domain knows of them."""
+    page.session.draw(3, number, "anywhere" if page.session.library.grounding.places else None)
+
+
 def _stack(page: Page, number: int) -> None:
-    """Ask for a tower: for what an object can be put on or into, each time another of these goals."""
-    session, problem = page.session, page.session.problem
+    """Ask for a tower, and at first for nothing else: each time for another goal by relation."""
+    session = page.session
+    for name in () if number else session.ghosts():
+        session.remove_goal(name)
+    problem = session.problem
     goals = [goal for name in (problem.object_names if problem else ()) for goal in session.goals_for(name)]
     if goals := [goal for goal in goals if problem and goal not in problem.relations]:
         session.relate(*goals[number % len(goals)])
@@ -98,7 +106,7 @@ def _stack(page: Page, number: int) -> None:
 def _arrows(page: Page) -> str:
     """Draw what can be done to the chosen object."""
     promises = _known(page)[:_FEW]
-    told = (f"{verb_of(one.operator.name)} {one.chance:.0%}" for one in promises)
+    told = (f"{one.operator.primitive}: {verb_of(one.operator.name)}, {one.chance:.0%}" for one in promises)
     pairs = zip(arrows(page, promises), told, strict=True)
     drawn = (f'<span style="{_CELL}">{arrow}<br>{safe(said)}</span>' for arrow, said in pairs)
     return f"{category_of(page)}{''.join(drawn)}{paragraph(ARROWS.capitalize(), DIM)}"
@@ -107,6 +115,12 @@ def _arrows(page: Page) -> str:
 def _told(page: Page, *kinds: type[PlanPanel | RunPanel]) -> str:
     """Return what some other panels say."""
     return "".join(panel.text() for panel in page.panels if isinstance(panel, kinds))
+
+
+def _planned(page: Page) -> str:
+    """Return the plans, and the page of PDDL where the step at hand is marked."""
+    pages = (panel.pddl() for panel in page.panels if isinstance(panel, PlanPanel))
+    return _told(page, PlanPanel) + "".join(pages) * bool(page.session.plans)
 
 
 def _happened(page: Page) -> str:
@@ -153,17 +167,18 @@ CARDS = (
         "Make it wider until a bit flips",
         _widen,
         has_map=True,
-        picture=category_of,
+        picture=_arrows,
     ),
     Card(
         "a category",
         (
             "Objects with the same bits are one category. The robot expects the same of all of them.",
             "Nobody told it the {categories} categories that there are here. Their names were made "
-            "afterwards, from what was measured. Draw objects, and compare the bits above them.",
+            "afterwards, and say what most of their objects are. Draw objects, and compare the bits above "
+            "them.",
         ),
         "Draw three objects",
-        lambda page, number: page.session.draw(3, number, None),
+        _draw,
         picture=of_each,
     ),
     Card(
@@ -188,19 +203,20 @@ CARDS = (
             "Operators are printed as PDDL, a language that planners read. A planner is a program that knows "
             "nothing of arms. It finds which operators lead to the goal, one after another.",
             "The see-through objects are goals: there things are to stand at the end. Drag a goal by the "
-            "ball above it if you like, and press the button.",
+            "ball above it if you like, and press the button. The first step stands below in PDDL, too.",
         ),
         "Plan to the goal",
         lambda page, _: page.session.plan(planners_here()[0]),
-        picture=lambda page: _told(page, PlanPanel),
+        picture=_planned,
     ),
     Card(
         "what went otherwise",
         (
             "Now the arm does it. What each step promised stands below, beside what happened.",
             "A step can go otherwise than promised, since an operator speaks of a whole category. This "
-            "object is only one of it, and stands a little elsewhere. Tried ten times, an unsure one goes "
-            "as promised about as often as its chance says: dark dots did, pale diamonds did not.",
+            "object is only one of it, and stands a little elsewhere. A chance counts objects: of 50 %, half "
+            "do as promised nearly always, and the others hardly ever. See which kind this one is, tried ten "
+            "times: dark dots went as promised, pale diamonds did not.",
             "Where the goal would be missed, the robot plans anew. Take an object by its body while it runs, "
             "and drag it elsewhere: before the next step it is there.",
         ),

@@ -22,7 +22,7 @@ from neurosym.studio.library import Library
 from neurosym.studio.messages import Seen, Tried
 from neurosym.studio.scene_editor import ghost_spots
 from neurosym.studio.shell import film_html
-from neurosym.studio.words import plain_name, step_in_words
+from neurosym.studio.words import step_in_words
 from neurosym.tasks.task import understand
 from neurosym.world import Colour, Palette
 
@@ -42,6 +42,8 @@ _EYE, _LOOK, _LENS = (1.6, 0.0, 1.66), (-0.02, 0.0, 0.56), 0.72
 """Where the camera is and looks at, from the middle of the table [m]; its angle of view [rad]."""
 _CANNOT = "cannot be here"
 _ARROWS = 0.05  # how far above their object arrows and dots are, so that nothing hides them [m]
+_COMPASS = (-0.16, 0.05, 0.1)
+"""How far beyond a corner of the table the axes are drawn, along x and y, and how long [m]."""
 _BEFORE = 0.09  # how far before an object what is said of its effect stands [m]
 _LEAST = 1e-3  # displacements below this have no arrow [m]
 _SIDES = 20  # how many sides a cylinder is drawn with
@@ -258,6 +260,18 @@ class View:
         self._scene.add_box("/table", _TABLE, (x + 0.5, y + 0.5, 0.04), position=(*middle, -0.0205))
         lines = rectangle(x / 2, y / 2, _FLAT)
         self._scene.add_line_segments("/border", lines, _BORDER, thickness=0.005, position=(*middle, 0.0))
+        corner = np.add((*middle, _FLAT), (x / 2 + _COMPASS[0], y / 2 + _COMPASS[1], 0.0))
+        ends = np.stack([(corner, corner + _COMPASS[2] * way) for way in np.eye(3)[:2]])
+        self._scene.add_arrows(
+            "/compass",
+            ends,
+            np.full((2, 3), _INK, np.uint8),
+            shaft_radius=_THICK,
+            head_radius=3 * _THICK,
+            head_length=0.02,
+        )
+        for word, (_, tip) in zip(("forward", "left"), ends, strict=True):
+            self._scene.add_label(f"/compass/{word}", word, position=tuple(tip), font_screen_scale=0.8)
 
     def _draw_robot(self, parts: Sequence[Part]) -> None:
         for link in sorted({part.link for part in parts}):
@@ -301,7 +315,7 @@ class View:
                 ghost = self._ghost(item, colour, problem.tolerance)
                 self._goals[name] = self._draggable("goal", name, ghost)
             self._labels[name] = self._scene.add_label(
-                f"/labels/{name}", self._said_of(item), anchor="bottom-center"
+                f"/labels/{name}", f"{name} · {item.category}", anchor="bottom-center"
             )
         self.place(problem, ghosts, complaints)
 
@@ -339,10 +353,6 @@ class View:
         for node in self._start:
             node.remove()
         self._start = []
-
-    def _said_of(self, item: SceneObject) -> str:
-        """Say what an object is called, and of which category it is."""
-        return f"{item.name} · {plain_name(item.category, self._library.grounding)} {item.category}"
 
     def show(self, pose: Pose) -> None:
         """Put the robot and the objects where they are at one moment of a motion."""

@@ -87,10 +87,13 @@ def three_numbers(effect: Sequence[float]) -> str:
 
 
 def plain_name(symbol: str, grounding: Grounding) -> str:
-    """Return what a category is called, without its bits."""
+    """Return what most objects of a category are, which its name says: `mostly solid, low, narrow`."""
     categories = grounding.objects.categories
-    name = next((one.name for one in categories if one.symbol == symbol), "of no known category")
-    return name.removesuffix(f"-{symbol}")
+    name = next((one.name for one in categories if one.symbol == symbol), None)
+    if name is None:
+        return "of no known category"
+    told = [word for word in name.removesuffix(symbol).split("-") if word not in ("", "any", "kind")]
+    return f"mostly {', '.join(told)}" if told else "of all kinds"
 
 
 _RELATIONS = {"rests-on": "on", "sits-in": "in", "leans-on": "leaning on", "lies-under": "under"}
@@ -199,9 +202,11 @@ def plan_summary(record: PlanRecord) -> str:
     if record.steps:
         said = f"{counted(record.primitives, 'primitive')} {said}"
         if record.chance is not None:
-            said += f" All steps go as promised with a chance of {record.chance:.0%}"
+            said += f" The chance that all goes as promised is {record.chance:.0%}"
             if record.chance_replanned is not None:
-                said += f", and {record.chance_replanned:.0%} if planned anew on the way"
+                said += (
+                    f"; planned anew where it does not, the goal is reached in {record.chance_replanned:.0%}"
+                )
             said += "."
     return paragraph(record.status.value, colour, head=f"{record.planner}:", more=f"{said} {reason}")
 
@@ -227,12 +232,12 @@ def run_table(records: Sequence[StepRecord]) -> str:
     return table(("", "step", "promised", "happened", ""), rows, label="promised and happened")
 
 
-def run_summary(run: Run) -> str:
-    """Return what became of a run, in a paragraph."""
+def run_summary(run: Run, tolerance: float) -> str:
+    """Return what became of a run, in a paragraph; objects had to come so near to their goals [m]."""
     if not run.reached:
         return paragraph("goal missed", BAD, more=run.reason)
     misses = ", ".join(f"{name} {1000 * miss:.0f} mm" for name, miss in run.distances.items())
-    said = f"from the goals: {misses}; " if misses else ""
+    said = f"from the goals: {misses}; at most {1000 * tolerance:.0f} mm are asked for. " if misses else ""
     return paragraph(run.outcome, GOOD, more=f"{said}{run.credit}")
 
 

@@ -12,6 +12,7 @@ import pytest
 from neurosym.errors import CannotStart, InvalidValue
 from neurosym.studio.server import Front, is_loopback
 from neurosym.studio.shell import page_html
+from neurosym.world import Table
 
 
 class Inner(BaseHTTPRequestHandler):
@@ -93,8 +94,7 @@ def test_page_is_asked_for_what_stands_after_its_name_and_others_are_said_with_a
 
 
 def test_page_begins_with_our_own_html_and_asks_the_page_for_all_else():
-    bounds = {"Stands at x, y": [(0.3, 0.9)], "</script>": []}
-    with door(html=page_html("neurosym studio: <towers>", bounds)) as (front, _):
+    with door(html=page_html("neurosym studio: <towers>", Table((0.3, 0.9), (-0.4, 0.4)))) as (front, _):
         asked(front, "/")
         status, headers, text = asked(front, "/page/page1/")
         assert (status, headers["content-type"]) == (200, "text/html; charset=utf-8")
@@ -102,7 +102,7 @@ def test_page_begins_with_our_own_html_and_asks_the_page_for_all_else():
         assert "Viser client" not in text
         assert '<div id="cover" role="status">' in text
         assert '<main id="root"></main>' in text
-        assert '{"Stands at x, y": [[0.3, 0.9]], "\\u003c/script>": []}' in text
+        assert '{"Stands at x, y": [[0.3, 0.9], [-0.4, 0.4]]' in text
         assert asked(front, "/page/page1/", Origin="http://evil.example")[0] == 403
         assert asked(front, "/page/page1/", Upgrade="websocket")[2].startswith("/ ")
         assert asked(front, "/page/page1/a.js")[2].startswith("/a.js ")
