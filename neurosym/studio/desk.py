@@ -159,7 +159,8 @@ class Desk:
         changed = scene_editor.resized(problem, name, features, self.library.categorise, under_it)
         was, now = (one.object_named(name).category for one in (problem, changed))
         self._change(changed, "scene")
-        self.say(f"{name} turns from {was} to {now}" if was != now else "")
+        if was != now:
+            self.say(f"{name} turns from {was} to {now}")
 
     @at_rest
     def add(self, features: tuple[float, ...]) -> None:

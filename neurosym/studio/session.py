@@ -35,6 +35,7 @@ from neurosym.studio.library import Library
 from neurosym.studio.messages import Controls, Grab, Planned, Ran, Seen, Tried, Word
 from neurosym.studio.plan_words import STEPS
 from neurosym.studio.studio_workers import Ticket, Workers
+from neurosym.studio.words import promise_in_words
 from neurosym.tasks.task import is_relational
 from neurosym.tasks.transition import PlanStep, validate
 from neurosym.world import Scene
@@ -346,7 +347,8 @@ class Running:
         if self.promise is None:
             return ""
         kept = sum(one.keeps(self.promise) for one in self.tries)
-        return f"{kept} of {len(self.tries)} as promised; promised {self.promise.chance:.0%}"
+        told = f"{promise_in_words(self.promise)}: {kept} of {len(self.tries)} as promised"
+        return f"{told}; promised {self.promise.chance:.0%}"
 
     def recall(self, row: int) -> None:
         """Make an interaction of the domain's data happen again, by its number, counted from 0."""

@@ -16,7 +16,7 @@ from neurosym.studio.symbols_panel import ARROWS, SymbolsPanel, arrows
 from neurosym.studio.words import DIM, paragraph, relation_in_words, safe, verb_of
 
 _WIDTH, _WIDER = 1, 0.005  # which size is the width, and in what steps it grows [m]
-_CELL = "display:inline-block;text-align:center;font-size:12px"
+_CELL = "display:inline-block;text-align:center;font-size:12px;margin:0 3px"
 _FEW = 8  # operators of which arrows are shown
 BEFORE, NEXT = "Card before", "Next card"
 
@@ -31,15 +31,15 @@ def _recall(page: Page, number: int) -> None:
 
 
 def _widen(page: Page, _: int) -> None:
-    """Make the chosen object wider until a bit of it flips, or else another one; or else one narrower."""
+    """Make the chosen object wider until a bit of it flips, or else narrower; or else another one."""
     session, limits, chosen = page.session, limits_of(page.session.library.world), page.item
     if chosen is None or limits is None or session.problem is None:
         session.say("Nothing here can be made wider.", is_bad=True)
         return
     items = sorted(session.problem.objects, key=lambda one: one.name != chosen.name)
     low, high = limits.sizes[_WIDTH]
-    for step, end, way in ((_WIDER, high, "wider"), (-_WIDER, low, "narrower")):
-        for item in items:
+    for item in items:
+        for step, end, way in ((_WIDER, high, "wider"), (-_WIDER, low, "narrower")):
             widths = np.arange(item.features[_WIDTH] + step, end, step)
             sizes = np.tile(item.features, (len(widths), 1))
             sizes[:, _WIDTH] = widths
@@ -53,7 +53,7 @@ def _widen(page: Page, _: int) -> None:
                     f"{told}, {1000 * widths[row]:.0f} mm: it turns from {item.category} to {codes[row]}"
                 )
                 return
-    session.say("However wide they are, no bit of these objects flips; draw others.", is_bad=True)
+    session.say("However wide or narrow they are, no bit of these objects flips; draw others.", is_bad=True)
 
 
 def _known(page: Page) -> list[Promise]:
@@ -73,6 +73,14 @@ def _perform(page: Page, number: int) -> None:
         page.session.say("Nothing is known to be done to this object; choose another one.", is_bad=True)
 
 
+def _run(page: Page, _: int) -> None:
+    """Run the plan that is shown, or plan first."""
+    if page.session.plan_shown:
+        page.session.running.begin()
+    else:
+        page.session.plan(planners_here()[0])
+
+
 def _doubt(page: Page, _: int) -> None:
     """Try ten times what is least sure of all that can be done to any object."""
     session, names = page.session, page.session.problem.object_names if page.session.problem else ()
@@ -87,7 +95,7 @@ def _doubt(page: Page, _: int) -> None:
 
 def _draw(page: Page, number: int) -> None:
     """Draw a task for three objects: to places on the table, where the domain knows of them."""
-    page.session.draw(3, number, "anywhere" if page.session.library.grounding.places else None)
+    page.session.draw(3, number + 1, "anywhere" if page.session.library.grounding.places else None)
 
 
 def _stack(page: Page, number: int) -> None:
@@ -164,7 +172,7 @@ CARDS = (
             "The map shows which sizes have which bits. Drag its dot over a border, or press the button, and "
             "see a bit flip. From then on the robot expects other effects.",
         ),
-        "Make it wider until a bit flips",
+        "Change its width until a bit flips",
         _widen,
         has_map=True,
         picture=_arrows,
@@ -210,7 +218,7 @@ CARDS = (
         picture=_planned,
     ),
     Card(
-        "what went otherwise",
+        "a run, and what goes otherwise",
         (
             "Now the arm does it. What each step promised stands below, beside what happened.",
             "A step can go otherwise than promised, since an operator speaks of a whole category. This "
@@ -221,7 +229,7 @@ CARDS = (
             "and drag it elsewhere: before the next step it is there.",
         ),
         "Run the plan",
-        lambda page, _: page.session.running.begin(),
+        _run,
         "Try what is unsure 10 times",
         _doubt,
         picture=_happened,

@@ -141,8 +141,11 @@ def step_in_words(step: StepRecord) -> str:
     return f"{verb_of(step.operator)} {step.object}{to}"
 
 
-def _end_in_words(state: object, kind: str | None, where: str) -> str:
+def _end_in_words(step: StepRecord, state: object, kind: str | None, effect: Sequence[float] | None) -> str:
     """Return how an object was to end, or ended: in a state of a pair, with its bits, or otherwise."""
+    where = displacement_in_words(effect) if effect else ""
+    if kind == "carried":  # seen from what it was carried to, which says nothing of a mere place
+        where = f"{where} from {step.place}" if step.promised_state else ""
     said, bits = relation_in_words(str(state)) if state else (kind or "", "")
     return twofold(said, " · ".join(filter(None, (bits, where))))
 
@@ -219,14 +222,11 @@ def run_table(records: Sequence[StepRecord]) -> str:
         apart = "" if record.apart is None else f"<br>{1000 * record.apart:.0f} mm apart"
         if others := ", ".join(f"{name} {how}" for name, how in record.disturbed.items()):
             apart += f"<br>{coloured(others, BAD)}"
-        seen = f" from {record.place}" if record.promised_state else ""
-        promised = displacement_in_words(record.promised_effect) if record.promised_effect else ""
-        happened = displacement_in_words(record.effect) + seen * (record.happened == "carried")
         step, _, _ = step_in_words(record).partition(",")
         told = (
             twofold(step, " · ".join(re.findall(r"\b[01]+[a-z]*\b", record.operator))),
-            _end_in_words(record.promised_state, record.promised, promised + seen),
-            _end_in_words(record.state, record.happened, happened),
+            _end_in_words(record, record.promised_state, record.promised, record.promised_effect),
+            _end_in_words(record, record.state, record.happened, record.effect),
         )
         rows.append((str(number), *told, verdict + apart))
     return table(("", "step", "promised", "happened", ""), rows, label="promised and happened")

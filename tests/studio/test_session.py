@@ -201,7 +201,7 @@ def test_tries_are_counted_and_an_effect_stays_until_the_table_is_asked_for(both
         wait_for(lambda: not running.is_active)
         kept = sum(one.keeps(running.promise) for one in running.tries)
         assert len({one.start for one in running.tries}) == 10
-        assert tabletop.word.text.startswith(f"{kept} of 10 as promised; promised ")
+        assert f": {kept} of 10 as promised; promised " in tabletop.word.text
         before = tabletop.problem.object_named(name).position
         surest = tabletop.promises(name)[0]
         running.perform(name, tabletop.library.grounding.primitive_of(surest.operator).action)
