@@ -172,7 +172,7 @@ CARDS = (
             "The map shows which sizes have which bits. Drag its dot over a border, or press the button, and "
             "see a bit flip. From then on the robot expects other effects.",
         ),
-        "Change its width until a bit flips",
+        "Change its width until bits flip",
         _widen,
         has_map=True,
         picture=_arrows,
@@ -241,13 +241,13 @@ RELATIONS = Card(
         "Pairs of objects have bits, too: one object can be on another, or in it. Nobody told the robot "
         "these kinds of pairs either: {states}. It put things on things, and looked how they stood then.",
         "Drag the see-through goal of an object over another object and let go: that asks for a tower. Or "
-        "press the button. Then plan it, and run the plan as on the card before.",
+        "press the button. Then plan it, and run the plan.",
     ),
     "Ask for a tower",
     _stack,
-    "Plan to the goal",
-    lambda page, _: page.session.plan(planners_here()[0]),
-    picture=lambda page: _told(page, PlanPanel),
+    "Plan it, then run it",
+    _run,
+    picture=lambda page: _told(page, PlanPanel, RunPanel),
 )
 """A card for domains that know relations."""
 
@@ -263,16 +263,14 @@ class TourPanel(Panel):
         turn.on_click(lambda event: self.turn(1 if event.target.value == NEXT else -1))
         self._do = self.button(self.cards[0].button, self.act, color="green")
         self._stop = self.button("Stop", self.stop, color="red", disabled=True)
-        self._text, self._picture, self.map = (
-            self.gui.add_html(""),
-            self.gui.add_html(""),
-            MapField(self.page),
-        )
+        self._text, self.map = self.gui.add_html(""), MapField(self.page)
+        self._picture = self.gui.add_html("")
         self._more = self.button("More", lambda: self.act(is_more=True), color="green", visible=False)
 
     def turn(self, by: int) -> None:
         """Show another card, as soon as the page is drawn: two threads that draw would cross each other."""
         self.number, self._presses = min(max(0, self.number + by), len(self.cards) - 1), 0
+        self.session.say("")
         if self.session.running.scene is not None:
             self.session.reset()  # what happened again is not on the table that the other card speaks of
         self.page.hear("status")

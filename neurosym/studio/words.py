@@ -13,6 +13,7 @@ from pathlib import Path
 from neurosym.errors import counted, harmless
 from neurosym.execution.record import Replanning, Run, StepRecord
 from neurosym.grounding import Grounding
+from neurosym.operators import TOLERANCE
 from neurosym.problems import Problem, RelationGoal
 from neurosym.report.symbols import Promise, displacement_in_words
 from neurosym.stages.plan_records import PlanRecord
@@ -205,7 +206,9 @@ def plan_summary(record: PlanRecord) -> str:
     if record.steps:
         said = f"{counted(record.primitives, 'primitive')} {said}"
         if record.chance is not None:
-            said += f" The chance that all goes as promised is {record.chance:.0%}"
+            said += (
+                f" The chance that all goes as promised, and ends within the goals, is {record.chance:.0%}"
+            )
             if record.chance_replanned is not None:
                 said += (
                     f"; planned anew where it does not, the goal is reached in {record.chance_replanned:.0%}"
@@ -229,7 +232,8 @@ def run_table(records: Sequence[StepRecord]) -> str:
             _end_in_words(record, record.state, record.happened, record.effect),
         )
         rows.append((str(number), *told, verdict + apart))
-    return table(("", "step", "promised", "happened", ""), rows, label="promised and happened")
+    meant = paragraph(f"As promised: it ended so, at most {1000 * TOLERANCE:.0f} mm apart.", DIM)
+    return table(("", "step", "promised", "happened", ""), rows, label="promised and happened") + meant
 
 
 def run_summary(run: Run, tolerance: float) -> str:

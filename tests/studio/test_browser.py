@@ -103,7 +103,7 @@ def test_first_visit_begins_with_the_tour_under_a_title_and_the_map_resizes_the_
     window.open("Tour")
     window.press("Next card")
     category = page.item.category
-    window.press("Change its width until a bit flips")
+    window.press("Change its width until bits flip")
     tab.locator("svg.map:visible").wait_for()
     window.wait(lambda: page.item.category != category)
     window.press("Next card")

@@ -39,12 +39,12 @@ PARTS: dict[str, tuple[str, Callable[[], dict[str, Any]]]] = {
 
 def summary(found: dict[str, Any]) -> dict[str, Any]:
     """Return what is asked of the whole: heights, colours, barriers, and questions once they were asked."""
-    pages, asked = found.get("pages", {}), RESULTS / "questions.json"
-    both = found.get("access", {}) | pages
+    pages, answers = found.get("pages", {}), json.loads((RESULTS / "questions.json").read_text())
     told = {key: pages[key] for key in ("report_px", "least_colour_distance") if pages}
     if pages and "access" in found:
+        both = found["access"] | pages
         told["axe_serious"] = sum(both[key] for key in both if key.startswith("serious"))
-    return told | ({"questions": json.loads(asked.read_text())} if asked.exists() else {})
+    return told | {"questions": {key: answers[key] for key in ("asked", "median_right")}}
 
 
 def page(found: dict[str, Any]) -> str:
