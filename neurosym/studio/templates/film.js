@@ -14,5 +14,7 @@
         if (!node.getAttribute("aria-label")) node.setAttribute("aria-label", name);
   };
   document.addEventListener("DOMContentLoaded", () =>
-    new MutationObserver(tidy).observe(document.body, { childList: true, subtree: true }));
+    new MutationObserver(tidy).observe(document.body, {
+      childList: true, subtree: true, attributeFilter: ["data-engine"], // known a while after the canvas is there
+    }));
 })();
