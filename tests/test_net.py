@@ -2,6 +2,8 @@
 
 What is only moved or merged leaves every digest as it is. `python tests/test_net.py` writes them anew: look
 at each line that changes then. Metres are rounded to millimetres: the simulator differs a little elsewhere.
+Where an arm pushes, that can be more: what two of the domains draw and do is compared on processors only
+that have the instructions with which it was written.
 """
 
 import hashlib
@@ -20,6 +22,7 @@ from command_line import neurosym
 from places import GOLDEN, ROOT
 
 from neurosym.execution.executor import execute
+from neurosym.execution.record import this_machine
 from neurosym.pddl import domain_text, problem_text
 from neurosym.pddl.compiler import ground_plan
 from neurosym.planners import plan
@@ -32,6 +35,8 @@ SHIPPED = {
     "towers": ("--objects", 4, "--task", "tower"),
 }
 """What is asked for in a new problem of each shipped domain."""
+PUSHED = {name: {"new-problem", "execute"} for name in ("tabletop", "tabletop-paper")}
+WRITTEN_WITH = "X86_V4"
 TOYS = {
     "toy": (toy_domain.WORLD, toy_domain.grounding, toy_domain.problem({"item-01": (0.68, 0.16, 0.025)})),
     "toy-places": (toy_domain.WORLD, toy_places.grounding, toy_places.swap()),
@@ -90,7 +95,9 @@ def caught(what: Callable[[str, Path], Iterator[tuple[str, str]]], name: str, fo
 
 @pytest.mark.parametrize("name", SHIPPED)
 def test_shipped_domain_gives_what_it_gave(name: str, tmp_path: Path):
-    assert caught(of_shipped, name, tmp_path / name) == json.loads(DIGESTS.read_text())[name]
+    now, before = caught(of_shipped, name, tmp_path / name), json.loads(DIGESTS.read_text())[name]
+    apart = {key for key in before | now if now.get(key) != before.get(key)}
+    assert apart <= (set() if WRITTEN_WITH in this_machine().instructions else PUSHED.get(name, set()))
 
 
 @pytest.mark.parametrize("name", TOYS)
