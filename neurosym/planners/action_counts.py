@@ -379,10 +379,6 @@ class _Join:
 # everything stands, so no set of steps is looked at twice.
 MOST_STATES = 5_000
 """How many beginnings of plans are tried."""
-ENOUGH = 0.08
-"""Room beside an object along y, along which the fingers open, beyond which more makes no difference [m]."""
-FINGER = 0.02
-"""An object that leaves so much room along x is not in the way of the fingers [m]."""
 
 
 def ends_held(steps: Sequence[PlanStep], grounding: Grounding) -> bool:
@@ -443,30 +439,3 @@ def _ordered(
             after[row] = spots[1]
             waiting.append(((*done, number), fewer, after))
     return ()
-
-
-def clearest_first(steps: Sequence[PlanStep], problem: Problem) -> tuple[PlanStep, ...]:
-    """Put steps that carry in another order: first what has most room where it stands and where it goes.
-
-    Steps with one object keep their order, and no object is carried to where another stands. If there is no
-    such order, nothing is changed.
-    """
-    names, apart = problem.object_names, footprints_apart(problem)
-    here = problem.scene().positions[:, :2].copy()
-    left, ordered = list(steps), list[PlanStep]()
-    while left:
-        rooms: list[tuple[float, int]] = []
-        for number, step in enumerate(left):
-            row, there = names.index(step.object), np.array(problem.place_named(step.place))
-            others = np.arange(len(names)) != row
-            is_first = all(earlier.object != step.object for earlier in left[:number])
-            if is_first and not overlapping(there, here[others], apart[row, others]).any():
-                away = [np.abs(here[others] - spot) - apart[row, others] for spot in (here[row], there)]
-                gaps = [float(room[room[:, 0] < FINGER, 1].min(initial=ENOUGH)) for room in away]
-                rooms.append((-min(gaps), number))
-        if not rooms:
-            return tuple(steps)
-        step = left.pop(min(rooms)[1])
-        here[names.index(step.object)] = problem.place_named(step.place)
-        ordered.append(step)
-    return tuple(ordered)

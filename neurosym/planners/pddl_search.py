@@ -14,6 +14,7 @@ from functools import partial
 from pathlib import Path
 
 import msgspec
+import numpy as np
 
 from neurosym.errors import InvalidPlan, InvalidPlanner
 from neurosym.files import naming
@@ -25,7 +26,7 @@ from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips import page
 from neurosym.pddl.strips_problem import STEPS, StripsProblem, printed_cell
 from neurosym.pddl.syntax import NUMERIC, SAS, STRIPS, EncodingName
-from neurosym.planners.action_counts import candidates, choices_of, clearest_first, ends_held, mend
+from neurosym.planners.action_counts import candidates, choices_of, ends_held, mend
 from neurosym.planners.external import SAS_SUFFIX, scratch_folder
 from neurosym.planners.joined_plans import plan_in_turns, plan_singly
 from neurosym.planners.no_plan import explain_clash, explain_no_plan
@@ -49,7 +50,7 @@ from neurosym.planners.planner import (
 )
 from neurosym.problems import Problem
 from neurosym.tasks.options import step_cost
-from neurosym.tasks.task import PARK, is_reached, understand, why_no_relation
+from neurosym.tasks.task import PARK, footprints_apart, is_reached, overlapping, understand, why_no_relation
 from neurosym.tasks.transition import PlanStep, expected_success, operator_for, validate
 from neurosym.world import Table
 
@@ -70,6 +71,10 @@ LONGER = 1
 """How many primitives more it may have."""
 MOST_WAYS = 3000
 """How many ways of an object are judged."""
+_ENOUGH = 0.08
+"""Room beside an object along y, along which the fingers open, beyond which more makes no difference [m]."""
+_FINGER = 0.02
+"""An object that leaves so much room along x is not in the way of the fingers [m]."""
 _TRIED = 3  # of the likeliest ways of an object are put into the plan, until one fits
 _ANSWER = Path("its plan")
 
@@ -180,7 +185,7 @@ class _Search:
         result = self._in_one_call(task.flat)
         if result.status is PlanStatus.SOLVED:
             carries_all = all(step.place for step in result.steps)
-            clearest = clearest_first(result.steps, task.flat) if carries_all else result.steps
+            clearest = _clearest_first(result.steps, task.flat) if carries_all else result.steps
             is_true = validate(clearest, task.flat, grounding).valid
             return dataclasses.replace(result, steps=clearest) if is_true else result
         if len(problem.objects) <= MOST_LED:
@@ -355,6 +360,33 @@ def _ways(
     near = candidates(choices, goal, alone.tolerance, effort, moves=len(made) + LONGER, cost=most)
     ways = dict.fromkeys(choices.steps(name, one.moves, held=one.held) for one in near)
     return sorted(ways, key=lambda steps: -expected_success(steps, alone, grounding))[:_TRIED]
+
+
+def _clearest_first(steps: Sequence[PlanStep], problem: Problem) -> tuple[PlanStep, ...]:
+    """Put steps that carry in another order: first what has most room where it stands and where it goes.
+
+    Steps with one object keep their order, and no object is carried to where another stands. If there is no
+    such order, nothing is changed.
+    """
+    names, apart = problem.object_names, footprints_apart(problem)
+    here = problem.scene().positions[:, :2].copy()
+    left, ordered = list(steps), list[PlanStep]()
+    while left:
+        rooms: list[tuple[float, int]] = []
+        for number, step in enumerate(left):
+            row, there = names.index(step.object), np.array(problem.place_named(step.place))
+            others = np.arange(len(names)) != row
+            is_first = all(earlier.object != step.object for earlier in left[:number])
+            if is_first and not overlapping(there, here[others], apart[row, others]).any():
+                away = [np.abs(here[others] - spot) - apart[row, others] for spot in (here[row], there)]
+                gaps = [float(room[room[:, 0] < _FINGER, 1].min(initial=_ENOUGH)) for room in away]
+                rooms.append((-min(gaps), number))
+        if not rooms:
+            return tuple(steps)
+        step = left.pop(min(rooms)[1])
+        here[names.index(step.object)] = problem.place_named(step.place)
+        ordered.append(step)
+    return tuple(ordered)
 
 
 def _away_from_edges(grounding: Grounding, problem: Problem) -> Grounding:
