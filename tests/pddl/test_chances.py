@@ -9,6 +9,7 @@ import pytest
 import tables
 import toy_domain
 from msgspec.structs import replace
+from places import ROOT
 from tables import LIFT, PULL, PUSH
 
 from neurosym.grounding import Grounding
@@ -55,6 +56,15 @@ def test_spreads_add_up_like_variances_and_a_put_down_belongs_to_its_lift():
     assert transition.spread_of([PULL] * 4, task, learned) == pytest.approx(2 * one)
     in_the_air, down = (transition.spread_of(steps, task, learned) for steps in ([LIFT], [LIFT, tables.DOWN]))
     assert in_the_air[2] > 0 == down[2]
+
+
+def test_what_is_carried_to_a_place_scatters_as_if_nothing_was_done_to_it_before():
+    learned = Grounding.load(ROOT / "domains/places/grounding.json")
+    task = Problem.load(ROOT / "domains/places/problems/row-4-12.scene.json")
+    carried = next(step for step in plan(task, learned).steps if step.place)
+    once = transition.spread_of([carried], task, learned)
+    assert once[:2].min() > 0
+    assert transition.spread_of([carried] * 3, task, learned).tolist() == once.tolist()
 
 
 def test_a_second_try_is_as_likely_and_what_is_lost_stays_lost():
