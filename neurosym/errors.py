@@ -65,6 +65,7 @@ def listed_briefly(names: Sequence[str], most: int = 16) -> str:
 # Expected outcomes (no plan, a time-out, a failed step) are values, not errors.
 
 _MOST_LISTED, _LONGEST_LIST = 20, 400  # names that a sentence lists whole; its characters if there are more
+_FEW = 3  # of so many, none is said to be the nearest
 
 
 class NeurosymError(Exception):
@@ -126,10 +127,8 @@ class FolderTaken(NeurosymError):
 class CannotStart(NeurosymError):
     """The system lets no further process or thread be started; `what` names which, like `planner`."""
 
-    def __init__(self, what: str, why: str):
-        super().__init__(
-            f"No {what} can be started: {why}; allow more processes, files or memory (ulimit -a)."
-        )
+    def __init__(self, what: str, why: str, do: str = "allow more processes, files or memory (ulimit -a)"):
+        super().__init__(f"No {what} can be started: {why}; {do}.")
 
 
 class InvalidData(InvalidFile):
@@ -155,6 +154,8 @@ class UnknownChoice(NeurosymError):
             places = f" that {listed} lists" if listed else ""
             such = f"near to it: {', '.join(near)}" if near else f"such as {', '.join(choices[:3])}"
             valid = f"valid: {len(choices):,}{places}, {such}"
+        elif len(choices) > _FEW and (near := get_close_matches(name[:100], choices, 1)):
+            valid = f"the nearest is {near[0]}; {valid}"
         super().__init__(f"There is no {kind} {shortened(name)!r}; {valid}.")
 
 

@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import as_path, check_length
-from neurosym.errors import InvalidValue, UnknownChoice, quoted
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted
 from neurosym.files import MOST_JSON, read_bytes, write_json
 from neurosym.formats import PairFile, PlaceFile
 from neurosym.operators import (
@@ -229,6 +229,11 @@ def _decoded(path: Path, content: bytes) -> Grounding:
     parts = msgspec.structs.asdict(_File.decoded(path, content, remedy))
     tables = {name: parts[name] and parts[name].table() for name in ("places", "relations")}
     grounding = Grounding(**parts | tables)
+    learned = (grounding.objects, grounding.places, grounding.relations)
+    lengths = {len(one.action) for table in learned if table for one in table.primitives}
+    if len(lengths) > 1:
+        found = " and ".join(map(str, sorted(lengths)))
+        raise InvalidFile(path, f"its actions have {found} numbers; valid: all as many{remedy}")
     remember_fits(path, content, grounding.operators, grounding.objects.categories)
     return grounding
 

@@ -195,6 +195,11 @@ class Kept(Document, frozen=True):
     trials: Count  # how many rehearsals there were
     kept: Count  # how many ended as promised, on the table, with nothing else moved
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.kept > self.trials:
+            raise InvalidValue(f"Of {self.trials} rehearsals, {self.kept} are said to have been kept.")
+
     @property
     def share(self) -> float:
         """The share that ended so; 1 if there were no rehearsals."""

@@ -1,10 +1,13 @@
 """The grounding: which operators are live, what they promise in metres and in cells, and its file."""
 
+import json
+from collections.abc import Callable
 from pathlib import Path
 
 import msgspec
 import numpy as np
 import pytest
+from places import ROOT
 from tables import BOUNDS, grounding, mode, table
 
 from neurosym.errors import InvalidFile, InvalidValue
@@ -50,6 +53,23 @@ def test_grounding_survives_its_file_and_one_of_another_version_is_refused(tmp_p
     file.write_text(file.read_text().replace(grounding().format, "neurosym-grounding-9"))
     with pytest.raises(InvalidFile, match="neurosym-grounding-9"):
         Grounding.load(file)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda places: places["operators"]["primitives"][0]["action"].pop(), "11 and 12 numbers; valid"),
+        (lambda places: places["beside"][0].update(kept=10**6), "1000000 are said to have been kept"),
+    ],
+)
+def test_file_whose_actions_differ_in_length_or_that_kept_more_than_it_tried_is_refused(
+    change: Callable[[dict], object], said: str, tmp_path: Path
+):
+    content = json.loads((ROOT / "domains/places/grounding.json").read_text())
+    change(content["places"])
+    (tmp_path / "grounding.json").write_text(json.dumps(content))
+    with pytest.raises(InvalidFile, match=said):
+        Grounding.load(tmp_path / "grounding.json")
 
 
 @pytest.mark.parametrize("name", ["Push", "put-down", "block", "pull-010-tray", "tabletop"])

@@ -95,5 +95,7 @@ def overview(columns: int) -> str:
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
-    """Return the name that a mistyped one is nearest to; nothing if none is near."""
-    return next(iter(get_close_matches(name[:100], list(known), 1)), "")
+    """Return the name that a mistyped one begins, or else is nearest to; nothing if none is near."""
+    names = list(known)
+    begun = [one for one in names if one.startswith(name)] if name else []
+    return next(iter((*begun, *get_close_matches(name[:100], names, 1))), "")

@@ -104,9 +104,7 @@ def with_every_outcome(table: OperatorTable) -> OperatorTable:
     names = {category.symbol: category.name for category in table.categories}
     operators = [
         msgspec.structs.replace(
-            operator,
-            name=name_operator(operator.label, names[operator.subject], [mode]),
-            promised=mode.kind,
+            operator, name=name_operator(operator.label, names[operator.subject], [mode]), promised=mode.kind
         )
         for operator in table.operators
         for mode in operator.outcomes

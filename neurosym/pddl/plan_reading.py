@@ -14,7 +14,8 @@ holds a plan as strings, as objects, or as text. No reader of a library does thi
 
 import math
 import re
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -81,6 +82,7 @@ _LADEN, _ORIGINS = "-laden", ("from-place", "from-object")
 _MOVES = tuple(f"move-{axis}" for axis in AXES)
 _FORMER = {_REACHED, "look-on", "reach-place", "leave-start", "leave-place", *_MOVES}
 """Actions of earlier versions that are no step of their own; the page has some of that name, too."""
+_NEAR = 0.8  # how like an action of the page a name is at least that is taken for it, misspelt
 _FROM_TO = (2, 5)
 """So many arguments follow an object that is carried from one place to another, 5 in durative plans."""
 
@@ -260,14 +262,11 @@ def _begun(
     rows: Sequence[Atom], task: Task, printed: Callable[..., StripsProblem] | None
 ) -> Iterator[PlanStep | None]:
     """Return an iterator over ground actions, of whichever encoding they are: the step that each begins."""
-    names, page = (
-        {words[0] for words in rows},
-        {action.name for action in strips.page(task.grounding).actions},
-    )
+    names, page = {words[0] for words in rows}, {one.name for one in strips.page(task.grounding).actions}
     if names == {CARRY}:
         return read_durative(rows, task)
     if not names or not names <= page:
-        return _in_short(rows, task, page - _FORMER - {"leave"})
+        return _in_short(rows, task, page)
     if _is_numeric(rows):
         return read_numeric(rows, task)
     led = led_in(rows, task)
@@ -280,15 +279,19 @@ def _is_numeric(actions: Sequence[Atom]) -> bool:
     return len(begun) == 3 and begun[2].endswith(f"-{begun[1]}")
 
 
-def _in_short(rows: Sequence[Atom], task: Task, others: Collection[str]) -> Iterator[PlanStep | None]:
-    is_begun, notes = False, _notes(task.grounding)
+def _in_short(rows: Sequence[Atom], task: Task, page: set[str]) -> Iterator[PlanStep | None]:
+    is_begun, notes, others = False, _notes(task.grounding), page - _FORMER - {"leave"}
+    others_named = {words[0][:100] for words in rows} - page - notes
+    misspelt = {name for name in others_named if get_close_matches(name, page, 1, _NEAR)}
     for name, *arguments in rows:
-        if name in others:
+        if name in misspelt:
+            raise UnknownChoice("action", name, page)
+        if name in others and not misspelt:
             raise InvalidValue(f"{name} is an action of the page, and others of the plan are not")
         if not is_begun and name.startswith(("finish-", *_MOVES)):
             raise InvalidValue(f"nothing begins what {name} leads on")
         is_begun = is_begun or name not in notes
-        yield None if name in notes else _step(name, arguments, task.flat, task.grounding)
+        yield None if misspelt or name in notes else _step(name, arguments, task.flat, task.grounding)
 
 
 def _step(name: str, arguments: Sequence[str], problem: Problem, grounding: Grounding) -> PlanStep:

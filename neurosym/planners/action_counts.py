@@ -223,13 +223,7 @@ def candidates(
                 yield candidate
 
 
-def nearest(
-    choices: Choices,
-    goal: Vector,
-    *,
-    at_rest: bool = False,
-    gain: float = 1e-9,
-) -> Candidate:
+def nearest(choices: Choices, goal: Vector, *, at_rest: bool = False, gain: float = 1e-9) -> Candidate:
     """Find how to bring an object as near to its goal as it comes, with up to `DEPTH` moves.
 
     More moves are worth it if they bring it nearer by the gain [m].

@@ -111,12 +111,7 @@ def _branching(rows: Sequence[Sequence[Operator | None]], grounding: Grounding) 
 
 
 def plan_bfs(
-    problem: Problem,
-    branching: Branching,
-    table: Table,
-    *,
-    depth: int = DEPTH,
-    time_limit: float = math.inf,
+    problem: Problem, branching: Branching, table: Table, *, depth: int = DEPTH, time_limit: float = math.inf
 ) -> PlanResult:
     """Find a plan with the fewest primitives, the first in breadth-first order.
 

@@ -111,9 +111,9 @@ class Front:
         except (OSError, ValueError) as error:
             why = error.strerror if isinstance(error, OSError) else "that is no host"
             self._loop.close()
-            raise CannotStart(
-                "server", f"{harmless(self._host)[:100]}:{self.port}: {why or error}"
-            ) from error
+            where = f"{harmless(self._host)[:100]}:{self.port}"
+            advice = "name another --port (0 takes a free one), or a --host of this machine"
+            raise CannotStart("server", f"{where}: {why or error}", advice) from error
         self.port = self._server.sockets[0].getsockname()[1]
         self._thread.start()
 

@@ -184,6 +184,18 @@ def read_shipped(text: str, domain: str, plan: str) -> tuple[PlanStep, ...]:
     return parse_plan(text, Path("some.plan"), *shipped(domain, plan)[1:])
 
 
+@pytest.mark.parametrize(("domain", "plan"), SHIPPED)
+def test_misspelt_action_of_the_page_is_named_with_its_line_and_the_nearest(domain: str, plan: str):
+    lines = shipped(domain, plan)[0].splitlines()
+    number = max(number for number, line in enumerate(lines) if line.startswith("("))
+    name = lines[number][1:].split()[0]
+    lines[number] = lines[number].replace(name, f"{name}e", 1)
+    with pytest.raises(
+        InvalidPlan, match=rf", line {number + 1}: .* '{name}e'; the nearest is {name}; valid"
+    ):
+        read_shipped("\n".join(lines), domain, plan)
+
+
 def by_hand(actions: Words) -> list[tuple[str, str]]:
     """Fold ground actions into steps by their names alone: the object of each, and where it goes."""
     at = {"push": None, "lift": None, "put-down": None, "put-at": 2, "put": 3, "put-loaded": 3}

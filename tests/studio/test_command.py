@@ -67,7 +67,10 @@ def test_extra_that_is_missing_or_of_another_version_is_named(capsys, monkeypatc
     [
         (["--port", "70000"], "port"),
         (["--problem", "no-such-problem"], "no-such-problem"),
-        (["--host", "no such host"], "No server can be started"),
+        (
+            ["--host", "no such host"],
+            "; name another --port (0 takes a free one), or a --host of this machine",
+        ),
         (["no-such-folder"], "no-such-folder"),
         ([tempfile.gettempdir()], "world.toml"),
     ],

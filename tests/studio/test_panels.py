@@ -185,6 +185,7 @@ def test_paths_are_told_as_names_of_files_and_relations_in_words():
     for path in ("/home/ann/x/world.toml", r"C:\Users\ann\world.toml", "/tmp/a b/c/world.toml"):
         assert words.nameless(f"{path}: it is no 1/2 of /", "/tmp/a b/c") == "world.toml: it is no 1/2 of /"
     assert "/home" not in words.paragraph("cannot read '/home/ann/x/y.npz'", head="/home/ann/")
+    assert words.three_numbers((0.057, -0.09, 0.0)) == "57 mm forward, 90 mm right, 0 mm up"
     assert words.relation_in_words("rests-on-011") == ("on", "011")
     assert words.relation_in_words("apart-from-000") == ("apart from", "000")
     assert "Goal: a in b " in words.goals_in_words([("a", "b", "sits-in-111")])
