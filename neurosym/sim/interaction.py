@@ -19,7 +19,7 @@ from neurosym.checks import Float
 from neurosym.contract import CLEARANCE, GRASP_TEST, LOWERING_SPEED, TRANSIT_CLEARANCE, PoseSink
 from neurosym.sim.camera import Camera, Poser
 from neurosym.sim.config import OPEN_THROUGH, OPEN_TOP, Arm, pybullet
-from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot
+from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot, hand_boxes
 from neurosym.sim.simulation import Simulation
 from neurosym.world import Disturbance, FrameSink, Outcome, Reference, Scene, centre_of
 
@@ -53,7 +53,8 @@ class Interaction:
         self._simulation, self._arm, self._target = simulation, arm, target
         self._phase, self._peak, self._is_narrow = "start", -math.inf, False
         self._touched: set[int] = set()
-        self._robot = Robot(simulation, arm, visible=on_frame is not None)
+        show = None if on_frame is None and on_pose is None else self._show
+        self._robot = Robot(simulation, arm, visible=on_frame is not None, show=show)
         self._on_frame, self._camera = on_frame, camera
         self._poser = Poser(simulation, self._robot, on_pose) if on_pose else None
         simulation.after_step = self._watch
@@ -108,12 +109,17 @@ class Interaction:
         )
 
     def _watch(self) -> None:
-        """Look at the peak, at bystanders and through the camera, each now and then."""
+        """Look at the peak and at bystanders now and then, and show what happens."""
         ticks, simulation = self._simulation.ticks, self._simulation
         if ticks % _WATCH_EVERY == 0:
             self._peak = max(self._peak, simulation.height_of(self._target))
         if len(simulation.bodies) > 1 and ticks % _TOUCH_EVERY == 0:
             self._touched |= self._in_contact(self._robot.body) - {self._target}
+        self._show()
+
+    def _show(self) -> None:
+        """Hand over pictures and poses, if it is time for one."""
+        ticks, simulation = self._simulation.ticks, self._simulation
         if self._camera and self._on_frame and ticks % simulation.config.frame_every == 0:
             self._on_frame(self._camera.picture(), self._phase)
         if self._poser:
@@ -138,19 +144,12 @@ class Interaction:
 
     def _clear_height(self, point: Float[np.ndarray, "3"], half_opening: float) -> float:
         """Return the least height of the tool point at which no part of the hand touches an object [m]."""
-        arm = self._arm
-        offset = half_opening + arm.finger_thickness / 2
-        finger = (arm.finger_half_width, arm.finger_thickness / 2)
-        parts = ((offset, finger, 0.0), (-offset, finger, 0.0), (0.0, arm.palm_half_size, arm.finger_length))
+        parts = hand_boxes(self._arm, np.array([half_opening]))  # (1, 3, 3) each
+        least, greatest = (corners[0, :, :2] + point[:2] for corners in parts)
         heights = [0.0]
         for low, high in map(self._simulation.client.getAABB, self._simulation.bodies):
-            for aside, half_size, above_tool_point in parts:
-                middle = (point[0], point[1] + aside)
-                if all(
-                    least - half < at + CLEARANCE and at - CLEARANCE < greatest + half
-                    for least, greatest, half, at in zip(low, high, half_size, middle, strict=False)
-                ):
-                    heights.append(high[2] + CLEARANCE - above_tool_point)
+            is_under = (least - CLEARANCE < high[:2]) & (low[:2] < greatest + CLEARANCE)
+            heights += [high[2] + CLEARANCE - bottom for bottom in parts[0][0, is_under.all(1), 2]]
         return max(heights)
 
     def _opening(self, y: float) -> float:

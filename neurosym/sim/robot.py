@@ -1,4 +1,8 @@
-"""The arm and its hand: straight motions that stop at resistance, and fingers that feel their way."""
+"""The arm and its hand: straight motions that stop at resistance, and fingers that feel their way.
+
+Motion through free air is not simulated: where the hand comes near nothing and nothing else moves, it is put
+further along its way, as fast as it would be there. Time passes as if it had gone all the way.
+"""
 
 import math
 from collections.abc import Callable, Sequence
@@ -7,7 +11,7 @@ from importlib.resources import files
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.contract import FINGER_SPEED, PEAK_SPEED, way_seconds
+from neurosym.contract import CLEARANCE, FINGER_SPEED, PEAK_SPEED, way_seconds
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import TOOL_DOWN, Arm, pybullet
 from neurosym.sim.simulation import Simulation
@@ -23,14 +27,55 @@ STALL_ERROR = 0.005
 LOWEST_TOOL_POINT = 0.013
 """The tool point stays this high above the table [m]."""
 _CHECK_EVERY = 4
+_LOOK_AHEAD_EVERY = 8
+_RUN_UP = 4  # ticks of its way that the hand is simulated before it comes near something
+
+Drive = tuple[list[float], list[float]]
+"""Where joints shall be [rad, or m], and how fast."""
+
+
+def hand_boxes(
+    arm: Arm, half_openings: Float[np.ndarray, "T"]
+) -> tuple[Float[np.ndarray, "T 3 3"], Float[np.ndarray, "T 3 3"]]:
+    """Return the least and greatest corners of the boxes around the fingers and the palm [m].
+
+    They are seen from the tool point. There is no end to the palm above.
+
+    Args:
+        arm: Whose hand.
+        half_openings: How far each finger is out [m].
+    """
+    sides = np.outer(half_openings + arm.finger_thickness / 2, [1.0, -1.0, 0.0])  # (T, 3)
+    middles = np.stack([np.zeros_like(sides), sides], axis=2)  # (T, 3, 2)
+    finger = arm.finger_half_width, arm.finger_thickness / 2
+    halves = np.array([finger, finger, arm.palm_half_size])
+    bottoms, tops = [0.0, 0.0, arm.finger_length], [arm.finger_length, arm.finger_length, math.inf]
+    ends = (np.broadcast_to(np.array(height)[:, None], (*sides.shape, 1)) for height in (bottoms, tops))
+    low, high = (np.concatenate([middles + by, end], axis=2) for by, end in zip((-halves, halves), ends, strict=True))
+    return low, high
 
 
 class Robot:
-    """An arm and its two-finger hand in a simulation; without its looks it loads faster."""
+    """An arm and its two-finger hand in a simulation.
 
-    def __init__(self, simulation: Simulation, arm: Arm, *, visible: bool = False):
+    Args:
+        simulation: Where it is.
+        arm: What it is.
+        visible: Whether it is loaded with its looks, which takes longer.
+        show: Shows a tick of its way that is not simulated, if it is watched.
+    """
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        arm: Arm,
+        *,
+        visible: bool = False,
+        show: Callable[[], None] | None = None,
+    ):
         self._client = client = simulation.client
-        self._time_step, self._step, self._arm = simulation.config.time_step, simulation.step, arm
+        self._simulation, self._arm, self._show = simulation, arm, show
+        self._time_step = simulation.config.time_step
         flags = pybullet.URDF_USE_INERTIA_FROM_FILE
         flags |= 0 if visible else pybullet.URDF_IGNORE_VISUAL_SHAPES
         self.body = body = client.loadURDF(arm.urdf, arm.base, useFixedBase=True, flags=flags)
@@ -80,17 +125,66 @@ class Robot:
         distance = float(np.linalg.norm(goal - start))
         count = max(1, int(np.ceil(way_seconds(distance, peak_speed) / self._time_step)))
         path = start + _smooth(count)[:, None] * (goal - start)  # (T, 3)
-        joints = self._arm.inverse_kinematics(path)  # (T, J)
-        velocities = np.gradient(joints, self._time_step, axis=0) if count > 1 else np.zeros_like(joints)
-        ticks = zip(path.tolist(), joints.tolist(), velocities.tolist(), strict=True)
-        for tick, (wanted, angles, speeds) in enumerate(ticks):
-            self._drive_arm(angles, speeds)
-            self._step()
+        openings, drives, tick = np.array([self.half_opening()]), list[Drive](), 0
+        while tick < count:
+            looks = until is None and tick % _LOOK_AHEAD_EVERY == 0
+            if looks and (free := self._free_ticks(np.vstack([self.tool_point(), path[tick:]]), openings)):
+                between = self._drives(path[tick : tick + free]) if self._show else []
+                tick += free
+                end = self._drives(path[:tick][-2:])[-1]
+                self._pass(free, self._arm.joints, end, between)
+                self._drive_arm(*end)
+                continue
+            drives = drives or self._drives(path)
+            self._drive_arm(*drives[tick])
+            self._simulation.step()
             is_over = until is not None and until()
-            if is_over or (tick % _CHECK_EVERY == 0 and math.dist(self.tool_point(), wanted) > STALL_ERROR):
+            is_due = tick % _CHECK_EVERY == 0
+            if is_over or (is_due and math.dist(self.tool_point(), path[tick]) > STALL_ERROR):
                 self._hold(self.tool_point())
                 return False
+            tick += 1
         return True
+
+    def _drives(self, path: Float[np.ndarray, "T 3"]) -> list[Drive]:
+        """Return angles [rad] and velocities of the joints that lead the tool point along a path [m]."""
+        joints = self._arm.inverse_kinematics(path)  # (T, J)
+        still = np.zeros_like(joints)
+        velocities = np.gradient(joints, self._time_step, axis=0) if len(path) > 1 else still
+        return list(zip(joints.tolist(), velocities.tolist(), strict=True))
+
+    def _free_ticks(self, points: Float[np.ndarray, "T 3"], half_openings: Float[np.ndarray, "T"]) -> int:
+        """Count the ticks of a way that need not be simulated, since the hand comes near nothing.
+
+        Where it comes near something later, some ticks before that are simulated, too.
+
+        Args:
+            points: Where the tool point is, now and after each tick of the way [m].
+            half_openings: How far each finger is out [m].
+        """
+        if not self._simulation.is_quiet():
+            return 0
+        boxes = self._simulation.boxes()  # (B, 2, 3)
+        low, high = hand_boxes(self._arm, half_openings)  # (T, 3, 3)
+        low, high = low + points[:, None] - CLEARANCE, high + points[:, None] + CLEARANCE
+        meets = (low[:, :, None] < boxes[:, 1]) & (boxes[:, 0] < high[:, :, None])  # (T, 3, B, 3)
+        is_near = meets.all(3).any((1, 2))
+        return max(0, int(np.argmax(is_near)) - 1 - _RUN_UP if is_near.any() else len(points) - 1)
+
+    def _pass(self, ticks: int, joints: Sequence[int], end: Drive, between: Sequence[Drive]) -> None:
+        """Let time pass that is not simulated, until joints are at an end; those between are only shown."""
+
+        def put(angles: Sequence[float], speeds: Sequence[float]) -> None:
+            for joint, angle, speed in zip(joints, angles, speeds, strict=True):
+                self._client.resetJointState(self.body, joint, angle, speed)
+
+        self._simulation.ticks += ticks - len(between)
+        for drive in between:
+            put(*drive)
+            self._simulation.ticks += 1
+            if self._show:
+                self._show()
+        put(*end)
 
     def _hold(self, point: Float[np.ndarray, "3"]) -> list[float]:
         """Stay at a point [m], and return the joint angles there [rad]."""
@@ -101,6 +195,7 @@ class Robot:
     def close(self) -> None:
         """Close the fingers until they stop."""
         self._drive_fingers(0.0, CLOSING_FORCE)
+        self._slide_fingers(0.0)
         self._wait_for_fingers(0.0)
         self.is_open = False
 
@@ -109,16 +204,27 @@ class Robot:
         widest = self._arm.half_opening
         half_opening = widest if half_opening is None else min(half_opening, widest)
         self._drive_fingers(half_opening, OPENING_FORCE)
+        self._slide_fingers(half_opening)
         self._wait_for_fingers(half_opening)
         self._drive_fingers(self.half_opening(), HOLDING_FORCE)
         self.is_open = True
+
+    def _slide_fingers(self, target: float) -> None:
+        """Put the fingers ahead, towards where each shall stand [m], as far as they come near nothing."""
+        start = self.half_opening()
+        stride = math.copysign(FINGER_SPEED * self._time_step, target - start)
+        way = np.arange(start, target, stride)
+        if free := self._free_ticks(np.tile(self.tool_point(), (len(way), 1)), way):
+            speeds = [stride / self._time_step] * 2
+            drives = [([at, at], speeds) for at in way[1 : free + 1].tolist()]
+            self._pass(free, self._arm.fingers, drives[-1], drives if self._show else [])
 
     def _wait_for_fingers(self, target: float) -> None:
         """Step until the fingers arrive or stand still; at most the time of a full stroke and a little."""
         last = self.half_opening()
         still = 0
         for _ in range(int((self._arm.half_opening / FINGER_SPEED + 0.25) / self._time_step)):
-            self._step()
+            self._simulation.step()
             now = self.half_opening()
             still = still + 1 if abs(now - last) < 0.01 * self._time_step else 0
             if abs(now - target) < 2e-4 or still * self._time_step > 0.05:

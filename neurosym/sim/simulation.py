@@ -6,7 +6,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import Client, TabletopConfig, boxes_of, draw_features, pybullet
+from neurosym.sim.config import Box, Client, TabletopConfig, boxes_of, draw_features, pybullet
 from neurosym.world import Scene
 
 TABLE_FRICTION = 0.6
@@ -30,6 +30,7 @@ class Simulation:
         self.ticks = 0
         self._reset()
         self.table = self._make_table()
+        self._boxes: list[list[Box]] = []
         self.bodies = [self._make_object(scene, index) for index in range(len(scene))]
 
     def _reset(self) -> None:
@@ -50,15 +51,15 @@ class Simulation:
 
     def _make_object(self, scene: Scene, index: int) -> int:
         boxes = boxes_of(scene.features[index], self.config.wall)
+        self._boxes.append(boxes)
         shape = self.client.createCollisionShapeArray(
             shapeTypes=[pybullet.GEOM_BOX] * len(boxes),
             halfExtents=[list(half) for half, _, _ in boxes],
             collisionFramePositions=[list(centre) for _, centre, _ in boxes],
             collisionFrameOrientations=[pybullet.getQuaternionFromEuler((0, 0, turn)) for *_, turn in boxes],
         )
-        body = self.client.createMultiBody(
-            self.config.mass, shape, -1, scene.positions[index].tolist(), scene.orientations[index].tolist()
-        )
+        pose = scene.positions[index].tolist(), scene.orientations[index].tolist()
+        body = self.client.createMultiBody(self.config.mass, shape, -1, *pose)
         self.client.changeDynamics(
             body, -1, lateralFriction=self.config.friction, spinningFriction=0.002, rollingFriction=0.0
         )
@@ -77,11 +78,12 @@ class Simulation:
         for tick in range(int(SETTLE_LIMIT / self.config.time_step)):
             self.step()
             if tick % _LOOK_EVERY == 0:
-                quiet = quiet + _LOOK_EVERY * self.config.time_step if self._is_quiet() else 0.0
+                quiet = quiet + _LOOK_EVERY * self.config.time_step if self.is_quiet() else 0.0
                 if quiet >= REST_TIME:
                     return
 
-    def _is_quiet(self) -> bool:
+    def is_quiet(self) -> bool:
+        """Say whether every object is at rest."""
         velocities = map(self.client.getBaseVelocity, self.bodies)
         return all(
             max(map(abs, linear)) <= REST_SPEED and max(map(abs, angular)) <= 10 * REST_SPEED
@@ -101,6 +103,20 @@ class Simulation:
         """Return the height of an object's centre [m]."""
         position, _ = self.client.getBasePositionAndOrientation(self.bodies[index])
         return float(position[2])
+
+    def boxes(self) -> Float[np.ndarray, "B 2 3"]:
+        """Return least and greatest corners of what is around each box that objects are built from [m]."""
+        found = []
+        for body, parts in zip(self.bodies, self._boxes, strict=True):
+            position, orientation = self.client.getBasePositionAndOrientation(body)
+            turned = np.array(pybullet.getMatrixFromQuaternion(orientation)).reshape(3, 3)
+            halves, centres, turns = (np.array(column) for column in zip(*parts, strict=True))
+            cos, sin = np.abs(np.cos(turns)), np.abs(np.sin(turns))
+            x, y, z = halves.T
+            around = np.stack([cos * x + sin * y, sin * x + cos * y, z], axis=1) @ np.abs(turned).T
+            middles = position + centres @ turned.T
+            found.append(np.stack([middles - around, middles + around], axis=1))
+        return np.concatenate(found)
 
     def touched_by(self, body: int) -> set[int]:
         """Return the bodies that a body touches."""
