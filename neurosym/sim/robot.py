@@ -13,7 +13,7 @@ import numpy as np
 from neurosym.checks import Float
 from neurosym.contract import CLEARANCE, FINGER_SPEED, PEAK_SPEED, way_seconds
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import TOOL_DOWN, Arm, pybullet
+from neurosym.sim.config import Arm, pybullet
 from neurosym.sim.simulation import Simulation
 
 CLOSING_FORCE, HOLDING_FORCE = 10.0, 20.0
@@ -45,14 +45,12 @@ def hand_boxes(
         arm: Whose hand.
         half_openings: How far each finger is out [m].
     """
-    sides = np.outer(half_openings + arm.finger_thickness / 2, [1.0, -1.0, 0.0])  # (T, 3)
-    middles = np.stack([np.zeros_like(sides), sides], axis=2)  # (T, 3, 2)
-    finger = arm.finger_half_width, arm.finger_thickness / 2
-    halves = np.array([finger, finger, arm.palm_half_size])
-    bottoms, tops = [0.0, 0.0, arm.finger_length], [arm.finger_length, arm.finger_length, math.inf]
-    ends = (np.broadcast_to(np.array(height)[:, None], (*sides.shape, 1)) for height in (bottoms, tops))
-    low, high = (np.concatenate([middles + by, end], axis=2) for by, end in zip((-halves, halves), ends, strict=True))
-    return low, high
+    width, thickness, length = arm.finger_half_width, arm.finger_thickness, arm.finger_length
+    x, y = arm.palm_half_size
+    low = np.array([[-width, 0.0, 0.0], [-width, -thickness, 0.0], [-x, -y, length]])
+    high = np.array([[width, thickness, length], [width, 0.0, length], [x, y, math.inf]])
+    apart = half_openings[:, None, None] * np.array([[0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 0.0]])
+    return low + apart, high + apart
 
 
 class Robot:
@@ -261,33 +259,20 @@ def _smooth(count: int) -> Float[np.ndarray, "T"]:
 
 # Kinematics of the UR10 in closed form, for whole trajectories at once.
 #
-# Frames follow the Denavit-Hartenberg convention; the base stands `BASE_HEIGHT` above the table, at the
-# world's origin, so that the whole table is in reach also when an object is lifted. Of the eight branches
-# of the inverse, one is used throughout (shoulder left, elbow up, wrist fixed): with the tool pointing down
-# it is continuous over the whole table, so neighbouring points of a path get neighbouring joint angles.
+# Lengths follow the Denavit-Hartenberg convention; the base stands `BASE_HEIGHT` above the table, at the
+# world's origin, so that the whole table is in reach also when an object is lifted. With the tool pointing
+# down, joint 5 stands at a right angle, and joints 2 to 4 lie in one upright plane. Of the branches that are
+# left, one is used throughout (shoulder left, elbow up): it is continuous over the whole table, so
+# neighbouring points of a path get neighbouring joint angles.
 
 D = np.array([0.1273, 0.0, 0.0, 0.163941, 0.1157, 0.0922])
 """Link offsets d_1..d_6 [m], as the manufacturer publishes them."""
 A = np.array([0.0, -0.612, -0.5723, 0.0, 0.0, 0.0])
 """Link lengths a_1..a_6 [m]."""
-ALPHA = np.array([np.pi / 2, 0.0, 0.0, np.pi / 2, -np.pi / 2, 0.0])
-"""Link twists alpha_1..alpha_6 [rad]."""
 BASE_HEIGHT = 0.25
 """Height of the arm's base above the table [m]."""
 TOOL_LENGTH = 0.19
 """From the flange to the point between the fingertips [m]."""
-
-
-def _across(joint: int, angle: Float[np.ndarray, "N"]) -> Float[np.ndarray, "N 4 4"]:
-    """Return the transform across one joint, from 0 to 5, and its link; angles in [rad]."""
-    c, s = np.cos(angle), np.sin(angle)
-    ca, sa = np.cos(ALPHA[joint]), np.sin(ALPHA[joint])
-    transform = np.zeros((len(angle), 4, 4))
-    transform[:, 0] = np.stack([c, -s * ca, s * sa, A[joint] * c], axis=1)
-    transform[:, 1] = np.stack([s, c * ca, -c * sa, A[joint] * s], axis=1)
-    transform[:, 2] = [0.0, sa, ca, D[joint]]
-    transform[:, 3, 3] = 1.0
-    return transform
 
 
 def joints_for(points: Float[np.ndarray, "N 3"]) -> Float[np.ndarray, "N 6"]:
@@ -299,47 +284,20 @@ def joints_for(points: Float[np.ndarray, "N 3"]) -> Float[np.ndarray, "N 6"]:
     Raises:
         InvalidValue: If a point is out of the arm's reach.
     """
-    flange_in_base = np.zeros((len(points), 4, 4))
-    flange_in_base[:, :3, :3] = TOOL_DOWN
-    flange_in_base[:, :3, 3] = points - TOOL_LENGTH * TOOL_DOWN[:, 2] - [0.0, 0.0, BASE_HEIGHT]
-    flange_in_base[:, 3, 3] = 1.0
+    x, y, z = points.T
+    away, up = np.hypot(x, y), z + TOOL_LENGTH - BASE_HEIGHT + D[5] - D[0]
     with np.errstate(invalid="ignore"):
-        joints = _solve(flange_in_base)
+        q1 = np.arctan2(y, x) + np.arccos(D[3] / away) + np.pi / 2
+        along = np.sqrt(away**2 - D[3] ** 2) + D[4]  # from the shoulder to joint 4, in the plane of the arm
+        reach = np.hypot(along, up)
+        q3 = np.arccos((reach**2 - A[1] ** 2 - A[2] ** 2) / (2 * A[1] * A[2]))
+        q2 = np.arcsin(A[2] * np.sin(q3) / reach) - np.arctan2(up, along)
+    q4, q5 = np.pi / 2 - q2 - q3, np.full_like(q1, np.pi / 2)  # joints 2, 3, 4 are parallel
+    joints = np.stack([q1, q2, q3, q4, q5, q1 - np.pi / 2], axis=1)
     if not np.all(np.isfinite(joints)):
         x, y, z = points[int(np.argwhere(~np.isfinite(joints))[0][0])]
         raise InvalidValue(f"The point ({x:.3f}, {y:.3f}, {z:.3f}) m is out of the arm's reach.")
     return np.unwrap(joints, axis=0)
-
-
-def _solve(flange_in_base: Float[np.ndarray, "N 4 4"]) -> Float[np.ndarray, "N 6"]:
-    wrist = flange_in_base[:, :3, 3] - D[5] * flange_in_base[:, :3, 2]
-    q1 = (
-        np.arctan2(wrist[:, 1], wrist[:, 0])
-        + np.arccos(D[3] / np.hypot(wrist[:, 0], wrist[:, 1]))
-        + np.pi / 2
-    )
-    p = flange_in_base[:, :3, 3]
-    q5 = np.arccos((p[:, 0] * np.sin(q1) - p[:, 1] * np.cos(q1) - D[3]) / D[5])
-    flange_in_1 = _inverse(_across(0, q1)) @ flange_in_base
-    one_in_flange = _inverse(flange_in_1)
-    q6 = np.arctan2(-one_in_flange[:, 1, 2] / np.sin(q5), one_in_flange[:, 0, 2] / np.sin(q5))
-    four_in_1 = flange_in_1 @ _inverse(_across(4, q5) @ _across(5, q6))
-    elbow = (four_in_1 @ np.array([0.0, -D[3], 0.0, 1.0]))[:, :3]
-    reach = np.linalg.norm(elbow, axis=1)
-    q3 = np.arccos((reach**2 - A[1] ** 2 - A[2] ** 2) / (2 * A[1] * A[2]))
-    q2 = -np.arctan2(elbow[:, 1], -elbow[:, 0]) + np.arcsin(A[2] * np.sin(q3) / reach)
-    q4 = np.arctan2(four_in_1[:, 1, 0], four_in_1[:, 0, 0]) - q2 - q3  # joints 2, 3, 4 are parallel
-    return np.stack([q1, q2, q3, q4, q5, q6], axis=1)
-
-
-def _inverse(pose: Float[np.ndarray, "N 4 4"]) -> Float[np.ndarray, "N 4 4"]:
-    """Invert rigid transforms."""
-    rotation = pose[:, :3, :3].transpose(0, 2, 1)
-    inverse = np.zeros_like(pose)
-    inverse[:, :3, :3] = rotation
-    inverse[:, :3, 3] = -(rotation @ pose[:, :3, 3, None])[..., 0]
-    inverse[:, 3, 3] = 1.0
-    return inverse
 
 
 UR10 = Arm(

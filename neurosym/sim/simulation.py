@@ -6,7 +6,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import Box, Client, TabletopConfig, boxes_of, draw_features, pybullet
+from neurosym.sim.config import Client, TabletopConfig, boxes_of, draw_features, pybullet
 from neurosym.world import Scene
 
 TABLE_FRICTION = 0.6
@@ -30,7 +30,7 @@ class Simulation:
         self.ticks = 0
         self._reset()
         self.table = self._make_table()
-        self._boxes: list[list[Box]] = []
+        self._boxes: list[tuple[np.ndarray, np.ndarray]] = []  # in the object's frame: middles, half sizes
         self.bodies = [self._make_object(scene, index) for index in range(len(scene))]
 
     def _reset(self) -> None:
@@ -51,7 +51,9 @@ class Simulation:
 
     def _make_object(self, scene: Scene, index: int) -> int:
         boxes = boxes_of(scene.features[index], self.config.wall)
-        self._boxes.append(boxes)
+        halves, centres, turns = (np.array(column) for column in zip(*boxes, strict=True))
+        (x, y, z), cos, sin = halves.T, np.abs(np.cos(turns)), np.abs(np.sin(turns))
+        self._boxes.append((centres, np.stack([cos * x + sin * y, sin * x + cos * y, z], axis=1)))
         shape = self.client.createCollisionShapeArray(
             shapeTypes=[pybullet.GEOM_BOX] * len(boxes),
             halfExtents=[list(half) for half, _, _ in boxes],
@@ -107,14 +109,10 @@ class Simulation:
     def boxes(self) -> Float[np.ndarray, "B 2 3"]:
         """Return least and greatest corners of what is around each box that objects are built from [m]."""
         found = []
-        for body, parts in zip(self.bodies, self._boxes, strict=True):
+        for body, (centres, halves) in zip(self.bodies, self._boxes, strict=True):
             position, orientation = self.client.getBasePositionAndOrientation(body)
-            turned = np.array(pybullet.getMatrixFromQuaternion(orientation)).reshape(3, 3)
-            halves, centres, turns = (np.array(column) for column in zip(*parts, strict=True))
-            cos, sin = np.abs(np.cos(turns)), np.abs(np.sin(turns))
-            x, y, z = halves.T
-            around = np.stack([cos * x + sin * y, sin * x + cos * y, z], axis=1) @ np.abs(turned).T
-            middles = position + centres @ turned.T
+            turned = np.array(pybullet.getMatrixFromQuaternion(orientation)).reshape(3, 3).T
+            middles, around = position + centres @ turned, halves @ np.abs(turned)
             found.append(np.stack([middles - around, middles + around], axis=1))
         return np.concatenate(found)
 
