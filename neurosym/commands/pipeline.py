@@ -1,7 +1,14 @@
-"""The command `neurosym run`: the whole way in one call, doing nothing twice."""
+"""The command `neurosym run`: the whole way in one call, doing nothing twice.
 
-from typing import Annotated, Any, Optional
+One budget of interactions is spent in rounds, each twice as large as all before it. In a round the robot
+explores, the networks learn from all that was performed, and the rest goes to candidates and operators where
+it is worth most. So there is a domain to plan with after each round, and a better one after the next.
+"""
 
+from collections.abc import Callable, Sequence
+from typing import Annotated, Any, NamedTuple, Optional
+
+import msgspec
 from tyro.conf import arg
 
 from neurosym.choices import CELL, DEFAULT_STRATEGY
@@ -16,9 +23,10 @@ from neurosym.commands.learn import (
     make_domain_folder,
 )
 from neurosym.data.interactions import Interactions
+from neurosym.data.ledger import BUDGET
 from neurosym.errors import InvalidValue, counted, quoted
 from neurosym.execution.record import Run
-from neurosym.files import read_json
+from neurosym.files import read_json, write_json
 from neurosym.grounding import Grounding
 from neurosym.learning.training import TrainingReport
 from neurosym.learning.training_config import regime_named
@@ -32,9 +40,11 @@ from neurosym.stages.learning import (
     OBJECTS,
     TO_OBJECTS,
     TO_PLACES,
+    Aim,
     check_steps,
     distill_stage,
     explore_stage,
+    ledger_of,
     train_stage,
 )
 from neurosym.stages.plan_records import PlanRecord, written_steps
@@ -48,9 +58,59 @@ _PLANNER = "fast-downward"
 _MOST_PROBLEMS = 30
 """How many problems are drawn at most, if none of those asked for has a plan."""
 _PLACES_FOR = 4
-"""For so many interactions there is one more that is aimed at a place, if the user does not say how many."""
+"""With --steps, for so many there is one that is aimed at a place, if the user does not say how many."""
 _LEAST_STEPS = 1024
-"""From so few interactions nothing is learned of places, unless the user says so."""
+"""From so few steps nothing is learned of places, unless the user says so."""
+_LEAST = 100
+"""Fewer interactions than this are refused."""
+_FIRST = 2000
+"""Interactions of the first round, for all aims together."""
+_BUDGETS = 6, 4, 5
+"""How the budget is shared by objects, places and other objects, if all are asked for."""
+_EACH = 1000
+"""So many interactions of a share there are at most, if the user does not say how many."""
+_EXPLORED = 0.4
+"""Share of the interactions of each round that explore."""
+_MOST_EXPLORED = 4096
+"""More are not explored for one aim: what is known then is better asked of operators."""
+_BLOCK = 512
+"""So many interactions are explored between two updates of the networks."""
+_HELD = 1024
+"""Bits that were learned from so many explored interactions stay what they are."""
+_IDLE = 0.9
+"""A round that finds worthwhile performances for less than this share of its budget is the last."""
+
+
+class Spent(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What one aim had of a round.
+
+    Attributes:
+        explored: Interactions explored so far.
+        performed: Interactions performed so far to choose and measure operators.
+        budget: How many these might be.
+    """
+
+    explored: int
+    performed: int
+    budget: int
+
+
+class Budget(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What the rounds that are done were spent on, by what was aimed at."""
+
+    rounds: tuple[dict[str, Spent], ...] = ()
+
+    @property
+    def total(self) -> int:
+        """All interactions that were performed, whatever for."""
+        last = self.rounds[-1] if self.rounds else {}
+        return sum(one.explored + one.performed for one in last.values())
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether the last round found too little that was worth performing."""
+        last = [*self.rounds[-1].values()] if self.rounds else []
+        return bool(last) and all(one.performed < _IDLE * one.budget for one in last)
 
 
 def run(
@@ -60,7 +120,17 @@ def run(
         arg(help="Which world, for a new folder: tabletop (default), toy, or your own as module:factory."),
     ] = None,
     strategy: Strategy = DEFAULT_STRATEGY,
-    steps: Annotated[int, arg(help="Interactions to explore for.")] = 10_000,
+    interactions: Annotated[
+        Optional[int],
+        arg(
+            help="Interactions in all at most, whatever they are for. By default 6000, with places 10000, "
+            "and with relations 15000."
+        ),
+    ] = None,
+    steps: Annotated[
+        Optional[int],
+        arg(help="Explore for so many, then learn and distil once, in place of rounds."),
+    ] = None,
     seed: Seed = 0,
     regime: RegimeName = "default",
     workers: Workers = CPUS,
@@ -74,39 +144,50 @@ def run(
     places: Annotated[
         Optional[int],
         arg(
-            help="Interactions besides that are aimed at a place, to learn what carries objects there: a "
-            "quarter of --steps from 1024 on, if not given."
+            help="Interactions besides that explore what carries objects to places, at most; 0 for none. By "
+            "default as many as there are for it, or with --steps from 1024 on a quarter of these."
         ),
     ] = None,
     relations: Relations = 0,
 ) -> int:
     """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
 
-    Interrupt it when you like: the same command goes on. Stages that were finished are not done again, and of
-    exploring it loses at most a block of 512 interactions.
+    Interrupt it when you like: the same command goes on. There is a domain to plan with after the first
+    round; more --interactions go on from the last. Of exploring it loses at most a block of 512 interactions.
     """
     bits: dict[str, Any] = {"object_bits": object_bits, "action_bits": action_bits}
     regime_named(regime).model.with_bits(**bits)
+    if steps is not None and interactions is not None:
+        raise InvalidValue("--steps explores at once, and --interactions is a budget for rounds; give one.")
     domain = _begun(folder, world, steps)
-    counts = _counts(domain, read_world(domain.require(layout.WORLD))(), steps, places, relations)
+    known = read_world(domain.require(layout.WORLD))()
+    plan = _rounds(domain, known, interactions, steps, places, relations)
     fitting: dict[str, Any] = {"seed": seed, "regime": regime}
-    stages = []
-    for aim, count in zip(AIMS, counts, strict=True):
-        if count:
-            options = {**fitting, **(bits if aim is OBJECTS else {})}
-            stages += [
-                explore_stage(domain, aim, strategy=strategy, steps=count, workers=workers, **options),
-                train_stage(domain, aim, **options),
-                distill_stage(domain, aim, objects=rehearsals, choice=choice, seed=seed, workers=workers),
-            ]
-    stages.append(
-        compile_stage(
-            domain, cell=CELL, with_places=counts[1] > 0 or None, with_relations=relations > 0 or None
-        )
-    )
-    with domain.claimed(Claim.ALONE):
-        for stage in stages:
+    exploring: dict[str, Any] = {**fitting, "strategy": strategy, "workers": workers}
+    distilling: dict[str, Any] = {"objects": rehearsals, "choice": choice, "seed": seed, "workers": workers}
+
+    def learn(aim: Aim, share: Share, before: Spent | None) -> Spent:
+        """Explore, train and distil for an aim, as far as its share of a round goes."""
+        own = bits if aim is OBJECTS else {}
+        held = before is not None and min(share.explored, before.explored) >= _HELD
+        taught = before.performed if before else 0
+        for stage in (
+            explore_stage(domain, aim, steps=share.explored, **exploring, **own),
+            train_stage(domain, aim, performed=taught, keeps_bits=held, **fitting, **own),
+            distill_stage(
+                domain,
+                aim,
+                budget=max(0, share.budget - taught),
+                performed=taught,
+                keeps_bits=held,
+                **distilling,
+            ),
+        ):
             _perform(domain, stage)
+        return Spent(share.explored, len(ledger_of(domain, aim)), share.budget)
+
+    with domain.claimed(Claim.ALONE):
+        _spend(domain, plan, learn, is_open=interactions is not None or steps is None)
         tried = [_try_problem(domain, number, seed) for number in range(1, problems + 1)]
         while problems and len(tried) < _MOST_PROBLEMS and not any(run for _, run in tried):
             tried.append(_try_problem(domain, len(tried) + 1, seed))
@@ -115,9 +196,110 @@ def run(
     return 0
 
 
-def _begun(folder: Folder, world: str | None, steps: int) -> DomainFolder:
+class Share(NamedTuple):
+    """What an aim gets of a round: interactions to explore, and to choose and measure operators, so far."""
+
+    explored: int
+    budget: int
+
+
+Round = dict[str, Share]
+"""Shares by the folder of the aim."""
+
+
+def _rounds(
+    folder: DomainFolder,
+    world: World,
+    interactions: int | None,
+    steps: int | None,
+    places: int | None,
+    relations: int,
+) -> list[Round]:
+    """Say how much each aim gets in each round, all rounds before it included."""
+    if steps is not None:
+        counts = _counts(folder, world, steps, places, relations)
+        return [{aim.folder: Share(n, BUDGET) for aim, n in zip(AIMS, counts, strict=True) if n}]
+    takes = "place" in references_of(world)
+    asked = True, takes if places is None else places > 0, relations > 0
+    _check_aims(folder, world, asked[1], asked[2])
+    weights = {aim.folder: _BUDGETS[n] for n, aim in enumerate(AIMS) if asked[n]}
+    most = {"": _MOST_EXPLORED, layout.PLACES: places or _MOST_EXPLORED, layout.RELATIONS: relations}
+    ceiling = _EACH * sum(weights.values()) if interactions is None else interactions
+    if ceiling < _LEAST:
+        raise InvalidValue(
+            f"--interactions {ceiling} is too few to learn anything from; give at least {_LEAST}."
+        )
+    totals = [_FIRST << n for n in range(ceiling.bit_length()) if _FIRST << n < ceiling]
+    every = sum(weights.values())
+    return [
+        {name: _share(total * weight // every, most[name]) for name, weight in weights.items()}
+        for total in [*totals, ceiling]
+    ]
+
+
+def _share(count: int, most: int) -> Share:
+    """Split what an aim gets; whole blocks are explored if there are enough, since only these are kept."""
+    explored = int(_EXPLORED * count)
+    if count >= 2 * _BLOCK:
+        explored = max(1, round(explored / _BLOCK)) * _BLOCK
+    explored = min(explored, most)
+    return Share(explored, count - explored)
+
+
+def _spend(
+    folder: DomainFolder,
+    plan: Sequence[Round],
+    learn: Callable[[Aim, Share, Spent | None], Spent],
+    *,
+    is_open: bool,
+) -> None:
+    """Go on with the rounds that are not done yet, as long as they find what is worth performing."""
+    budget = _budget(folder) if is_open else Budget()
+    for number, asked in enumerate(plan, 1):
+        before = budget.rounds[-1] if budget.rounds else {}
+        shares = {name: _at_least(share, before.get(name)) for name, share in asked.items()}
+        if shares == {name: Share(one.explored, one.budget) for name, one in before.items()}:
+            continue
+        if budget.is_idle:
+            say("no more is worth performing by what is known; --steps explores more at once")
+            break
+        aims = [aim for aim in AIMS if aim.folder in shares]
+        spent = {aim.folder: learn(aim, shares[aim.folder], before.get(aim.folder)) for aim in aims}
+        _perform(
+            folder,
+            compile_stage(
+                folder,
+                cell=CELL,
+                with_places=layout.PLACES in shares or None,
+                with_relations=layout.RELATIONS in shares or None,
+            ),
+        )
+        if is_open:
+            budget = Budget((*budget.rounds, spent))
+            write_json(folder / layout.BUDGET, budget)
+            can = judge_domain(_grounding(folder)).lines[0]
+            say(f"round {number} of {len(plan)}: {counted(budget.total, 'interaction')} so far; {can}")
+
+
+def _at_least(share: Share, spent: Spent | None) -> Share:
+    """Return a share that is not smaller than what was spent already."""
+    if spent is None:
+        return share
+    return Share(max(share.explored, spent.explored), max(share.budget, spent.budget))
+
+
+def _budget(folder: DomainFolder) -> Budget:
+    path = folder / layout.BUDGET
+    return read_json(path, Budget) if path.is_file() else Budget()
+
+
+def _grounding(folder: DomainFolder) -> Grounding:
+    return Grounding.load(folder / layout.GROUNDING)
+
+
+def _begun(folder: Folder, world: str | None, steps: int | None) -> DomainFolder:
     """Return the domain folder, which is made if it is not there; or refuse it."""
-    if folder.is_dir():
+    if folder.is_dir() and steps is not None:
         check_steps(opened(folder), steps)
     if not (folder / layout.WORLD).exists():
         make_domain_folder(folder, world or "tabletop")
@@ -138,6 +320,12 @@ def _counts(
         there = len(Interactions.load(path)) if path.is_file() else 0
         places = max(there, usual if steps >= _LEAST_STEPS else 0)
         places = places if "place" in references_of(world) else 0
+    _check_aims(folder, world, places > 0, relations > 0)
+    return steps, places, relations
+
+
+def _check_aims(folder: DomainFolder, world: World, places: bool, relations: bool) -> None:
+    """Refuse what cannot be learned in a world, or not without something else."""
     if places:
         TO_PLACES.check_takes(world)
     if relations:
@@ -147,7 +335,6 @@ def _counts(
                 "Relations are learned with what carries objects to places; give --places a number, "
                 "like 2000."
             )
-    return steps, places, relations
 
 
 def _try_problem(folder: DomainFolder, number: int, seed: int) -> tuple[list[str], Run | None]:
@@ -176,7 +363,7 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
     learned = judge_training(report, Interactions.load(folder / layout.INTERACTIONS))
     runs = [run for _, run in tried if run]
     tries = Tries(sum(run.reached for run in runs), len(runs), len(tried))
-    compiled = judge_domain(Grounding.load(folder / layout.GROUNDING))
+    compiled = judge_domain(_grounding(folder))
     for line in worst((learned, compiled, judge_tries({_PLANNER: tries}))).lines:
         say(line)
 

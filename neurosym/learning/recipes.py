@@ -246,6 +246,17 @@ def _fit_as_taught(fit: Fit) -> None:
     targets = find_code_targets(fit.teacher, bits, fit.samples, fit.config, fit.generator)
     _fit_names(fit, targets)
     _fit_encoders(fit, nn.Parameter(targets.effects))
+    _fit_only_decoder(fit)
+
+
+def keep_bits(fit: Fit, known: EffectModel) -> None:
+    """Take the encoders of another model, whose symbols shall stay what they are, and fit the decoder."""
+    fit.model.object_encoder.load_state_dict(known.object_encoder.state_dict())
+    fit.model.action_encoder.load_state_dict(known.action_encoder.state_dict())
+    _fit_only_decoder(fit)
+
+
+def _fit_only_decoder(fit: Fit) -> None:
     (_fit_decoder if fit.config.decoder.learns_from == "imagined" else _refit_decoder)(fit)
 
 

@@ -15,7 +15,7 @@ from neurosym.data.origin import strategy_of, too_few
 from neurosym.errors import InvalidValue, listed_briefly
 from neurosym.learning.losses import FitProgress, dimensions_of, reproducible, samples_of
 from neurosym.learning.network import DirectModel, EffectModel
-from neurosym.learning.recipes import RECIPES, Fit, fit_direct
+from neurosym.learning.recipes import RECIPES, Fit, fit_direct, keep_bits
 from neurosym.learning.training_config import DEFAULT_BITS, ModelConfig, TrainingConfig
 from neurosym.operators import all_symbols, name_axes
 
@@ -125,6 +125,8 @@ def train(
     model_config: ModelConfig | None = None,
     seed: int,
     direct: DirectModel | None = None,
+    more: Interactions | None = None,
+    bits: EffectModel | None = None,
     progress: FitProgress | None = None,
 ) -> Trained:
     """Fit an effect model to a data set; the same seed gives the same bytes.
@@ -139,6 +141,9 @@ def train(
         model_config: How the network is built.
         seed: Where all draws start.
         direct: A network without a bottleneck that was fitted to the same data before; else one is.
+        more: Interactions that this network also learns from; they are not as they come, so that bits and
+            decoder only learn what it says of others.
+        bits: A model whose encoders are kept, so that symbols stay what they are; else they are fitted.
         progress: Called with the stage and the share of it that is done.
 
     Raises:
@@ -163,13 +168,18 @@ def train(
         "origin": interactions.origin,
     }
     if direct is None:
-        direct = fit_direct(samples, dimensions_of(interactions), config, _seed(seed, _DIRECT), progress)
+        taught = samples_of(kept.join(more), mirrors=config.mirrors) if more is not None else samples
+        direct = fit_direct(taught, dimensions_of(interactions), config, _seed(seed, _DIRECT), progress)
         direct.trained_by = trained_by
     with reproducible(_seed(seed, 0)) as generator:
         model = EffectModel(direct.dimensions, model_config)
         if config.standardise:
             model.set_scale(samples.effects, samples.mirrored_axes)
-        RECIPES[config.recipe](Fit(model, direct, samples, config, generator, progress))
+        fit = Fit(model, direct, samples, config, generator, progress)
+        if bits is None:
+            RECIPES[config.recipe](fit)
+        else:
+            keep_bits(fit, bits)
     model.trained_by = trained_by
     return Trained(model, direct, assess(model, direct, kept, held_out))
 

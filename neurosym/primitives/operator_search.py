@@ -13,10 +13,12 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from neurosym.contract import made
 from neurosym.data.interactions import Interactions
+from neurosym.data.ledger import BUDGET, Ledger
 from neurosym.errors import InvalidValue, OpenBar, silent
 from neurosym.learning.network import EffectModel
 from neurosym.operators import (
@@ -25,12 +27,11 @@ from neurosym.operators import (
     Operator,
     OperatorTable,
     Primitive,
-    Symbol,
     name_operator,
     names_of_features,
 )
 from neurosym.pair_operators import PairStates, RelationOperators
-from neurosym.primitives.audition import CARRYING_ROUNDS, OBJECTS_TO_PREDICT, choose, choose_among, choose_own
+from neurosym.primitives.audition import choose, choose_among, choose_own
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.pair_audition import choose_for_pairs, rehearse_among, tabulate_pairs
 from neurosym.primitives.rehearsal import (
@@ -65,8 +66,10 @@ def find_operators(
     categorise: Categorise | None = None,
     world_factory: WorldFactory,
     objects: int = 100,
+    budget: int = BUDGET,
     seed: int,
-    workers: int = 1,
+    ledger: Ledger | None = None,
+    former: Sequence[Primitive] = (),
     open_bar: OpenBar = silent,
 ) -> Any:
     """Distil each action symbol, choose among the candidates, and measure what each operator does.
@@ -80,16 +83,19 @@ def find_operators(
         categorise: Gives the object symbols of features; the model's, if not given.
         world_factory: Builds the world to audition and rehearse in.
         objects: How many objects each symbol is rehearsed on, not counting those added for rare categories.
+        budget: How often actions perform at most.
         seed: Where all draws start.
-        workers: How many processes; their number does not change the result.
+        ledger: What performs, and keeps what was performed.
+        former: Candidates that were chosen before, when less was known.
         open_bar: Shows how far each part has come.
 
     Raises:
         NothingDistilled: If no action encodes to its symbol.
         UnknownChoice: If the method has a choice that there is not.
     """
+    chosen_before = tuple(msgspec.structs.replace(one, variant="") for one in former)
     search = Search(
-        _candidates(model, interactions, box, seed, open_bar),
+        tuple(dict.fromkeys((*chosen_before, *_candidates(model, interactions, box, seed, open_bar)))),
         predict,
         interactions.features,
         categorise or model.object_symbols,
@@ -97,11 +103,13 @@ def find_operators(
         method.adapt(world_factory),
         seed,
         objects,
-        workers,
+        budget,
+        Ledger() if ledger is None else ledger,
+        chosen_before,
         open_bar,
     )
     chosen = method.choose(search)
-    options = {"objects": objects, "seed": seed, "workers": workers}
+    options: dict[str, Any] = {"objects": objects, "seed": seed, "ledger": search.ledger}
     with open_bar("rehearsing") as advance:
         found = rehearse(search.shown, chosen, search.categorise, **options, progress=advance)
     return method.measure(search, found)
@@ -149,40 +157,31 @@ def displacing(choice: str = "own") -> Method:
     return Method(lambda factory: factory, partial(choose_among, choice=choice), measured)
 
 
-def measured(search: Search, found: Rehearsals) -> OperatorTable:
+def measured(search: Search, found: Rehearsals, share: float = 1.0) -> OperatorTable:
     """Tell what each primitive does to each category, and rehearse where that is unsure.
 
     Args:
         search: What the primitives were found with.
         found: What they did.
+        share: Of what is left of the budget, that these rehearsals take at most.
     """
     with search.open_bar("telling the outcomes apart") as advance:
         table = tabulate(found, made(search.shown).feature_names, progress=advance)
-    return rehearse_unsure(search, table)
+    return rehearse_unsure(search, table, share)
 
 
 def choose_carriers(
     search: Search,
     crowd: Callable[[WorldFactory], WorldFactory] = lambda factory: CrowdedFactory(factory, MARGIN),
 ) -> Repertoire:
-    """Choose for each category and symbol the action that carries its objects most surely.
-
-    What all categories share is of each symbol what is predicted to carry objects of all kinds most surely.
-    """
-    features, best = search.features[:OBJECTS_TO_PREDICT], dict[Symbol, tuple[float, Primitive]]()
-    for one in search.candidates:
-        predicted = search.predict(features, np.tile(np.array(one.action), (len(features), 1)))
-        sureness = foresee_carrying(predicted).sureness
-        if one.symbol not in best or sureness > best[one.symbol][0]:
-            best[one.symbol] = sureness, one
-    shared, world_factory = [best[symbol][1] for symbol in sorted(best)], crowd(search.world_factory)
-    return choose_own(search, shared, world_factory, foresee=foresee_carrying, rounds=CARRYING_ROUNDS)
+    """Choose for each category and symbol the action that carries its objects most surely, among others."""
+    return choose_own(search, crowd(search.world_factory), foresee=foresee_carrying)
 
 
 CARRYING = Method(
     lambda factory: AimedFactory(factory, MARGIN),
     choose_carriers,
-    lambda search, found: rehearse_among_others(search, measured(search, found)),
+    lambda search, found: rehearse_among_others(search, measured(search, found, 0.5)),
 )
 """How operators are found that carry objects to places. What predicts says where objects end relative to the
 place [m], the chance that they are carried, and greatest heights [m]."""

@@ -9,8 +9,7 @@ a kind into a state, there is no operator.
 """
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from functools import partial
+from collections.abc import Sequence
 from typing import Any
 
 import msgspec
@@ -36,15 +35,33 @@ from neurosym.pair_operators import (
     pair_end,
     touching_units,
 )
-from neurosym.primitives.audition import Contest, Groups, Round, audition_in_rounds, moved
-from neurosym.primitives.rehearsal import Rehearsals, Search, means_for_naming, name_categories, rounded
-from neurosym.primitives.reliability import end_state, sureness, watch
-from neurosym.primitives.sampling import Repertoire, perform_each, sample_by_category, tasks_of, with_own
+from neurosym.primitives.audition import moved
+from neurosym.primitives.bandit import Contest, hold
+from neurosym.primitives.rehearsal import (
+    REHEARSED,
+    Rehearsals,
+    Search,
+    means_for_naming,
+    name_categories,
+    rounded,
+)
+from neurosym.primitives.reliability import Judgement, end_state, sureness, watch
+from neurosym.primitives.sampling import (
+    Repertoire,
+    Sample,
+    perform_each,
+    sample_by_category,
+    tasks_of,
+    with_own,
+)
 from neurosym.world import OtherObject, Outcome, Scene
 from neurosym.worlds.aims import TARGET, RelatedFactory, RelatedScene, as_pair, taken
 
-ROUNDS = Round(4, 4), Round(2, 6)
-"""Auditions of one contest."""
+CANDIDATES, PAIRS = 4, 12
+"""How many actions one contest is among at most, and on how many pairs each performs at most."""
+LEAST_GAIN = 2e-6
+"""What a performance must be expected to add to the share of pairs that can be brought somewhere."""
+_SHARE = 0.6  # of all performances that are for choosing
 _OF_A_KIND = 64  # pairs of a kind that are looked at, to find which can be brought into a state, and by what
 WORTH = 0.002
 """An action beyond the first for a kind and a state adds this share or more of all pairs, of whatever kind,
@@ -80,16 +97,17 @@ def choose_for_pairs(search: Search, states: PairStates) -> Repertoire:
         reach = sum(sample.shares[kind] * chances.max(0).mean() for kind, chances in of_state.items())
         for kind, chances in of_state.items():
             worth = float(WORTH * reach / sample.shares[kind])
-            begun = _contests(candidates, chances, sample.scenes[kind], state, worth)
+            begun = _contests(candidates, chances, sample, kind, states, state, worth)
             contests += [(kind, state, contest) for contest in begun]
     contests.sort(key=lambda one: [*foreseen].index(one[0]))
     every = [contest for *_, contest in contests]
     with search.open_bar("auditioning for each kind of pairs") as advance:
-        audition_in_rounds(search, every, ROUNDS, search.shown, partial(watch, states=states), advance)
+        budget = int(_SHARE * search.budget)
+        hold(every, search.performer(search.shown, advance), budget=budget, least=LEAST_GAIN)
     chosen: dict[Symbol, list[Primitive]] = {kind: [] for kind in foreseen}
-    for kind, state, contest in contests:
-        for one in contest.groups[0]:
-            if one not in chosen[kind] and sureness(contest.seen[one], state) > 0:
+    for kind, _, contest in contests:
+        for one in contest.best(1.0):
+            if one not in chosen[kind] and contest.judged(one).sureness >= LEAST:
                 chosen[kind].append(one)
     best: dict[str, Primitive] = {}  # of each symbol what encodes to it best; it names the others
     for one in sorted(candidates, key=lambda one: (one.symbol, one.code_error)):
@@ -100,7 +118,9 @@ def choose_for_pairs(search: Search, states: PairStates) -> Repertoire:
 def _contests(
     candidates: Sequence[Primitive],
     chances: Float[np.ndarray, "C N"],
-    scenes: Sequence[Scene],
+    sample: Sample,
+    kind: Symbol,
+    states: PairStates,
     state: str,
     worth: float,
 ) -> list[Contest]:
@@ -108,37 +128,29 @@ def _contests(
 
     A further action adds so much to the mean chance, at least, that it is worth it.
     """
+    scenes, nowhere = sample.scenes[kind], np.zeros(4)
     begun, known = list[Contest](), np.zeros(len(scenes))
+
+    def judge(outcomes: Sequence[Outcome]) -> Judgement:
+        return Judgement("carried", nowhere, sureness([watch(one, states) for one in outcomes], state))
+
     while True:
         gains = np.maximum(chances - known, 0.0)
         best = int(gains.mean(1).argmax())
         if begun and gains[best].mean() <= worth:
             return begun
-        pairs = np.sort(np.argsort(-gains[best], kind="stable")[: sum(one.objects for one in ROUNDS)])
+        pairs = np.sort(np.argsort(-gains[best], kind="stable")[:PAIRS])
         mean = chances[:, pairs].mean(1)
-        counts, few = Counter[Symbol](), list[Primitive]()
+        counts, few = Counter[Symbol](), dict[Primitive, Judgement]()
         for number in np.argsort(-mean, kind="stable").tolist():
             one = candidates[number]
-            if mean[number] >= LEAST and counts[one.symbol] < _OF_SYMBOL:
+            if mean[number] >= LEAST and counts[one.symbol] < _OF_SYMBOL and len(few) < CANDIDATES:
                 counts[one.symbol] += 1
-                few.append(one)
-        foreseen = dict(zip(candidates, mean.tolist(), strict=True))
-        close = partial(_close_round, state, foreseen)
-        begun.append(Contest([scenes[row] for row in pairs], [few[: ROUNDS[0].candidates]], close))
+                few[one] = Judgement("carried", nowhere, float(mean[number]))
+        share = sample.shares[kind] * float(gains[best].mean())
+        some = [scenes[row] for row in pairs]
+        begun.append(Contest(share, some, [[*few]], few, judge, _FORESEEN_COUNTS))
         known = np.maximum(known, chances[best])
-
-
-def _close_round(
-    state: str, foreseen: Mapping[Primitive, float], groups: Groups, seen: dict[Primitive, Any], kept: int
-) -> Groups:
-    """Keep those that most surely bring pairs into a state, by what was seen and foreseen of them."""
-    (few,) = groups
-    sure = {}
-    for one in few:
-        count = len(seen[one])
-        weighed = count * sureness(seen[one], state) + _FORESEEN_COUNTS * foreseen[one]
-        sure[one] = weighed / (count + _FORESEEN_COUNTS)
-    return [sorted((one for one in few if sure[one] >= LEAST), key=lambda one: -sure[one])[:kept]]
 
 
 # Rehearsals on pairs: into which states operators bring them, and where others rest on them already
@@ -197,7 +209,8 @@ def rehearse_among(search: Search, table: RelationOperators, rehearsals: Rehears
     tasks = [tasks_of(primitives[label], pool[how].get(pair, [])[:AMONG]) for pair, label, how in keys]
     factory = RelatedFactory(search.world_factory)
     with search.open_bar("rehearsing where pairs bear others") as advance:
-        performed = dict(zip(keys, perform_each(factory, tasks, search.workers, advance), strict=True))
+        ended = perform_each(search.ledger, factory, tasks, REHEARSED, advance)
+        performed = dict(zip(keys, ended, strict=True))
 
     def kept(one: Operator, how: Company) -> tuple[Company, Kept]:
         outcomes, asked = performed[one.subject, one.label, how], one.promise and one.promise.kind

@@ -6,7 +6,7 @@ never averaged together, since the mean of "on the table" and "in the air" is a 
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from itertools import compress
 from typing import Any
@@ -25,6 +25,7 @@ from neurosym.checks import (
     check_whole,
 )
 from neurosym.contract import made
+from neurosym.data.ledger import BUDGET, Ledger
 from neurosym.errors import InvalidValue, OpenBar, Progress, part, silent
 from neurosym.operators import (
     TABLE_FORMAT,
@@ -43,6 +44,7 @@ from neurosym.operators import (
     all_symbols,
     name_operator,
 )
+from neurosym.primitives.bandit import Perform
 from neurosym.primitives.reliability import PredictOutcomes, judge, performance
 from neurosym.primitives.sampling import (
     Repertoire,
@@ -56,6 +58,8 @@ from neurosym.tasks.promises import chances_of, rehearsed_objects
 from neurosym.world import Outcome, OutcomeKind, Scene, World, WorldFactory
 from neurosym.worlds.aims import AimedFactory, AimedScene, CrowdedFactory, joined
 
+AUDITIONED, REHEARSED = "auditioned", "rehearsed"
+"""What performances are for."""
 LEAST = 30
 """Objects of a category that are rehearsed on, however rare it is, if at least so many are asked for."""
 _STREAM = 0x7265  # keeps rehearsal's draws apart from those of exploration
@@ -96,9 +100,15 @@ class Rehearsals:
 
     def on(self, symbol: Symbol, number: int) -> tuple[Outcome, ...]:
         """Return what a primitive did to the objects of a category."""
-        row = self.outcomes[number]
-        found = (row[i] for i in np.flatnonzero(self.symbols == symbol))
-        return tuple(outcome for outcome in found if outcome is not None)
+        return tuple(outcome for _, outcome in self._on(symbol, number))
+
+    def served(self, symbol: Symbol, number: int) -> Float[np.ndarray, "P F"]:
+        """Return the features of the objects of a category that a primitive was performed on."""
+        return self.features[[row for row, _ in self._on(symbol, number)]]
+
+    def _on(self, symbol: Symbol, number: int) -> list[tuple[int, Outcome]]:
+        found = ((row, self.outcomes[number][row]) for row in np.flatnonzero(self.symbols == symbol).tolist())
+        return [(row, outcome) for row, outcome in found if outcome is not None]
 
 
 def rehearse(
@@ -109,6 +119,7 @@ def rehearse(
     objects: int = 100,
     seed: int,
     workers: int = 1,
+    ledger: Ledger | None = None,
     progress: Progress | None = None,
 ) -> Rehearsals:
     """Perform actions on sampled objects of the categories that they serve, one at a time.
@@ -123,6 +134,7 @@ def rehearse(
         objects: How many objects are sampled, not counting those that rare categories get in addition.
         seed: Where all draws start.
         workers: How many processes; their number does not change the result.
+        ledger: What performs, with workers of its own, and knows what was performed before.
         progress: Called after each rehearsal.
 
     Raises:
@@ -146,10 +158,18 @@ def rehearse(
             )
     sample = rehearsal_sample(world, categorise, objects=objects, seed=seed)
     drawn = [(symbol, scene) for symbol, members in sample.scenes.items() for scene in members]
-    served = [[primitives.serves(primitive, symbol) for symbol, _ in drawn] for primitive in given]
+    places = [place for members in sample.scenes.values() for place in range(len(members))]
+    served = [
+        [
+            primitives.serves(one, symbol) and place < primitives.times.get((symbol, one.label), len(drawn))
+            for (symbol, _), place in zip(drawn, places, strict=True)
+        ]
+        for one in given
+    ]
     scenes = [scene for _, scene in drawn]
     tasks = [tasks_of(one, compress(scenes, row)) for one, row in zip(given, served, strict=True)]
-    performed = map(iter, perform_each(world_factory, tasks, workers, progress))
+    by = Ledger(workers=workers) if ledger is None else ledger
+    performed = map(iter, perform_each(by, world_factory, tasks, REHEARSED, progress))
     outcomes = tuple(
         tuple(next(done) if performs else None for performs in row)
         for row, done in zip(served, performed, strict=True)
@@ -187,7 +207,7 @@ def tabulate(
         for category in categories:
             if not (outcomes := rehearsals.on(category.symbol, number)):
                 continue
-            modes = modes_of(outcomes)
+            modes, served = modes_of(outcomes), rehearsals.served(category.symbol, number)
             operator = Operator(
                 name=name_operator(primitive.label, category.name, modes),
                 subject=category.symbol,
@@ -196,6 +216,7 @@ def tabulate(
                 outcomes=modes,
                 variant=primitive.variant,
                 rehearsals=tuple(map(rehearsal_of, outcomes)),
+                objects=() if len(served) == len(category.objects) else tuple(map(rounded, served)),
             )
             found.append((operator, judge([*map(performance, outcomes)]).sureness))
         if progress is not None:
@@ -326,7 +347,9 @@ class Search:
         shown: Builds it as it is shown: every action in it is aimed.
         seed: Where all draws start.
         objects: How many objects each symbol is rehearsed on, not counting those added for rare categories.
-        workers: How many processes; their number does not change the result.
+        budget: How often actions perform at most.
+        ledger: What performs, and keeps what was performed.
+        former: Candidates that were chosen before, when less was known.
         open_bar: Shows how far each part has come.
     """
 
@@ -338,8 +361,26 @@ class Search:
     shown: WorldFactory
     seed: int
     objects: int = 100
-    workers: int = 1
+    budget: int = BUDGET
+    ledger: Ledger = field(default_factory=Ledger)
+    former: tuple[Primitive, ...] = ()
     open_bar: OpenBar = silent
+
+    @property
+    def left(self) -> int:
+        """How often actions may still perform."""
+        return max(0, self.budget - self.ledger.spent)
+
+    def performer(self, world_factory: WorldFactory, progress: Progress) -> Perform:
+        """Return what has candidates perform in a world."""
+        begun = self.ledger.spent
+
+        def perform(asked: Sequence[tuple[Primitive, Scene]]) -> list[Outcome]:
+            tasks = [task for one, scene in asked for task in tasks_of(one, [scene])]
+            done = self.ledger.spent - begun
+            return self.ledger.perform(world_factory, tasks, AUDITIONED, part(progress, done))
+
+        return perform
 
 
 @dataclass(frozen=True, slots=True)
@@ -412,13 +453,19 @@ class _Revision:
         self.free[numbers] = False
 
 
-def rehearse_unsure(search: Search, table: OperatorTable) -> OperatorTable:
+def rehearse_unsure(search: Search, table: OperatorTable, share: float = 1.0) -> OperatorTable:
     """Rehearse operators on objects for which it is unsure whether their promise is kept.
 
     The other rehearsals come first, and are those that trials and modes count: their objects are drawn as
     the world draws them.
+
+    Args:
+        search: What the operators were found with.
+        table: The operators.
+        share: Of what is left of the budget, that these rehearsals take at most.
     """
-    if not (count := int(SHARE * search.objects)):
+    most = int(SHARE * search.objects)
+    if not most or not search.left:
         return table
     typical = _POOLED * search.objects
     sample = partial(sample_by_category, made(search.shown), search.categorise, least=1, typical=typical)
@@ -435,13 +482,14 @@ def rehearse_unsure(search: Search, table: OperatorTable) -> OperatorTable:
     }
     done = 0
     with search.open_bar("rehearsing what is unsure") as advance:
-        for _ in range(ROUNDS):
+        for rounds_left in range(ROUNDS, 0, -1):
+            count = min(most, int(share * search.left) // (rounds_left * max(1, len(revised))))
             chosen = [(one, one.unsure(count)) for one in revised.values()]
             tasks = [
                 tasks_of(actions[one.operator.label], [one.scenes[number] for number in numbers])
                 for one, numbers in chosen
             ]
-            performed = perform_each(search.shown, tasks, search.workers, part(advance, done))
+            performed = perform_each(search.ledger, search.shown, tasks, REHEARSED, part(advance, done))
             done += sum(map(len, tasks))
             for (one, numbers), outcomes in zip(chosen, performed, strict=True):
                 one.remember(numbers, outcomes)
@@ -470,7 +518,11 @@ def rehearse_among_others(search: Search, table: OperatorTable) -> OperatorTable
     """
     aimed, crowded = (kind(search.world_factory, MARGIN) for kind in (AimedFactory, CrowdedFactory))
     world, rng = aimed(), np.random.default_rng([search.seed, _OTHERS_STREAM])
-    sample = partial(sample_by_category, categorise=search.categorise, least=_AMONG_OTHERS, seed=search.seed)
+    worthy = sum(bool(one.successes) for one in table.operators)
+    least = min(_AMONG_OTHERS, search.left // (2 * worthy)) if worthy else 0
+    if not least:
+        return _at_places(table, {}, {})
+    sample = partial(sample_by_category, categorise=search.categorise, least=least, seed=search.seed)
     on_place = {
         symbol: [one for scene in members if (one := _occupied(scene, world.sample_scene(rng, 1)))]
         for symbol, members in sample(world, stream=_OTHERS_STREAM).scenes.items()
@@ -485,7 +537,7 @@ def rehearse_among_others(search: Search, table: OperatorTable) -> OperatorTable
         worthy = [one for one in table.operators if one.successes and scenes.get(one.subject)]
         tasks = [tasks_of(actions[one.label], scenes[one.subject]) for one in worthy]
         with search.open_bar(label) as advance:
-            ended = perform_each(factory, tasks, search.workers, advance)
+            ended = perform_each(search.ledger, factory, tasks, REHEARSED, advance)
         return {
             one.name: ((how, Kept(one.name, len(ends), sum(_stands_there(one, end) for end in ends))),)
             for one, ends in zip(worthy, ended, strict=True)
@@ -493,6 +545,14 @@ def rehearse_among_others(search: Search, table: OperatorTable) -> OperatorTable
 
     occupied = kept("occupied", "rehearsing on occupied places", aimed, on_place)
     beside = kept("beside", "rehearsing among neighbours", crowded, around)
+    return _at_places(table, occupied, beside)
+
+
+_Kept = Mapping[str, tuple[tuple[Company, Kept], ...]]
+
+
+def _at_places(table: OperatorTable, occupied: _Kept, beside: _Kept) -> OperatorTable:
+    """Say that operators lead to places, and how often they kept their promise among others."""
     operators = tuple(
         msgspec.structs.replace(
             one, frame="place", company=occupied.get(one.name, ()) + beside.get(one.name, ())

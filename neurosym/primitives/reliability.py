@@ -75,6 +75,21 @@ def worth_in_place(
     chosen: Sequence[int], place: int, group: Sequence[int], effects: CandidateEffects
 ) -> list[float]:
     """Compute what a set is worth with each of some candidates in one place of it, all at once."""
+    of_others, own = worths_in_place(chosen, place, group, effects)
+    return [one + other for one, other in zip(of_others, own, strict=True)]
+
+
+def worths_in_place(
+    chosen: Sequence[int], place: int, group: Sequence[int], effects: CandidateEffects
+) -> tuple[list[float], list[float]]:
+    """Compute what the others of a set are worth beside each of some candidates, and what these are.
+
+    Args:
+        chosen: The set, a candidate in each place.
+        place: The place that they would have.
+        group: Those candidates.
+        effects: What all candidates do.
+    """
     others, group = [*chosen[:place], *chosen[place + 1 :]], list(group)
     rows, mine = effects.means[others], effects.means[group]
     apart = np.linalg.norm(rows[:, None] - rows, axis=3)  # (S - 1, S - 1, L)
@@ -85,8 +100,7 @@ def worth_in_place(
     of_others = (effects.sureness[others] ** 2 * different).sum(1)  # (G, L)
     alone = np.minimum(across.min(1, initial=np.inf), np.linalg.norm(mine, axis=2))
     own = effects.sureness[group] ** 2 * np.tanh(alone / PLENTY)
-    values: list[float] = ((of_others + own) @ effects.shares).tolist()
-    return values
+    return (of_others @ effects.shares).tolist(), (own @ effects.shares).tolist()
 
 
 def _improve(chosen: list[int], groups: Sequence[Sequence[int]], effects: CandidateEffects) -> list[int]:
@@ -174,6 +188,11 @@ def judge(performances: Sequence[Performance]) -> Judgement:
     share = len(rows) / len(performances)
     exact = likeness(rows[:, :-1]) if kind == "carried" else exactness(rows[:, :-1])
     return Judgement(kind, rows.mean(0), float(share * unturned * alone * exact))
+
+
+def judge_outcomes(outcomes: Sequence[Outcome]) -> Judgement:
+    """Judge an action by how it turned out on objects of one category."""
+    return judge([*map(performance, outcomes)])
 
 
 def foresee_displacement(predicted: Float[np.ndarray, "N O"]) -> Judgement:

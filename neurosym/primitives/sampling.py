@@ -1,17 +1,18 @@
 """Sampling by category: objects as the world draws them, and enough of each category, rare ones included."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from string import ascii_lowercase
+from types import MappingProxyType
 
 import msgspec
 import numpy as np
 
-from neurosym.contract import placed
+from neurosym.data.ledger import Ledger
 from neurosym.errors import Progress
 from neurosym.operators import Categorise, OperatorTable, Primitive, Symbol, all_symbols, symbols_of
 from neurosym.world import Outcome, Scene, World, WorldFactory
-from neurosym.worlds.workers import Task, perform_all
+from neurosym.worlds.workers import Task
 
 MOST_DRAWS = 60
 """How many objects are drawn at most for each one that a category shall have."""
@@ -62,37 +63,20 @@ def sample_by_category(
     return Sample(kept, {symbol: symbols.count(symbol) / len(symbols) for symbol in kept})
 
 
-# Performing actions, in order, by any number of workers
-
-
-def perform(
-    world_factory: WorldFactory, tasks: Sequence[Task], workers: int, progress: Progress | None
-) -> Iterator[Outcome]:
-    """Perform actions, and give the outcomes in order.
-
-    Args:
-        world_factory: Builds the world.
-        tasks: What to perform.
-        workers: How many processes; their number does not change the outcomes.
-        progress: Called after each performance.
-    """
-    performed = perform_all(world_factory, tasks, workers)
-    for number in range(1, len(tasks) + 1):
-        with placed(f"rehearsal {number} of {len(tasks)}"):
-            outcome = next(performed)
-        if progress is not None:
-            progress(number, len(tasks))
-        yield outcome
+# Performing actions
 
 
 def perform_each(
+    ledger: Ledger,
     world_factory: WorldFactory,
     tasks: Sequence[Sequence[Task]],
-    workers: int,
+    purpose: str,
     progress: Progress | None = None,
 ) -> list[list[Outcome]]:
-    """Perform several lists of actions, and give the outcomes of each; see `perform`."""
-    performed = perform(world_factory, [task for some in tasks for task in some], workers, progress)
+    """Perform several lists of actions, and give the outcomes of each; see `Ledger.perform`."""
+    performed = iter(
+        ledger.perform(world_factory, [one for some in tasks for one in some], purpose, progress)
+    )
     return [[next(performed) for _ in some] for some in tasks]
 
 
@@ -112,10 +96,13 @@ class Repertoire:
         primitives: In the order of their symbols; the one that a symbol shares among categories comes first.
         own: Labels of those that are performed on a category, for categories with actions of their own. On
             others the shared ones are performed; None if every action is performed on every category.
+        times: On how many objects of a category an action is performed, by the category and its label; on all
+            where it is not said.
     """
 
     primitives: tuple[Primitive, ...]
     own: Mapping[Symbol, tuple[str, ...]] | None = None
+    times: Mapping[tuple[Symbol, str], int] = field(default_factory=dict)
 
     def serves(self, primitive: Primitive, category: Symbol) -> bool:
         """Say whether an action is performed on the objects of a category."""
@@ -131,10 +118,19 @@ def shared_by_all(primitives: Sequence[Primitive]) -> Repertoire:
     return Repertoire(tuple(sorted(primitives, key=lambda one: (one.symbol, one.variant))))
 
 
-def with_own(shared: Sequence[Primitive], chosen: Mapping[Symbol, Sequence[Primitive]]) -> Repertoire:
+def with_own(
+    shared: Sequence[Primitive],
+    chosen: Mapping[Symbol, Sequence[Primitive]],
+    times: Mapping[tuple[Symbol, Primitive], int] = MappingProxyType({}),
+) -> Repertoire:
     """Return the repertoire in which categories have actions of their own, a letter for each.
 
     The same action has the same letter on every category that it is chosen for. Without one it is shared.
+
+    Args:
+        shared: What serves where nothing was chosen.
+        chosen: For each category.
+        times: On how many objects of it the chosen are performed, if not on all.
     """
     primitives, labels = [*shared], {(one.symbol, one.action): one.label for one in shared}
     own: dict[Symbol, tuple[str, ...]] = {}
@@ -146,7 +142,8 @@ def with_own(shared: Sequence[Primitive], chosen: Mapping[Symbol, Sequence[Primi
                 )
                 labels[action.symbol, action.action] = primitives[-1].label
         own[category] = tuple(labels[action.symbol, action.action] for action in actions)
-    return Repertoire(shared_by_all(primitives).primitives, own)
+    labelled = {(kind, labels[one.symbol, one.action]): count for (kind, one), count in times.items()}
+    return Repertoire(shared_by_all(primitives).primitives, own, labelled)
 
 
 def repertoire_of(table: OperatorTable) -> Repertoire:

@@ -16,6 +16,9 @@ DIRECT_MODEL = "direct_model.safetensors"  # `train`: the network without a bott
 TRAINING = "training.json"  # `train`: how well the model fits, on interactions held out from training
 PRIMITIVES = "primitives.json"
 """`distill`: the parameters of each symbol, and what they do to each category: the table of operators."""
+LEDGER = "performed.safetensors"
+"""`distill`: all that was auditioned and rehearsed, whole; nothing in it is performed again."""
+BUDGET = "budget.json"  # `run`: what each of its rounds was spent on
 PLACES = "places"
 """What was learned of actions that are aimed at places, in files that are called as those above."""
 PLACE_INTERACTIONS = f"{PLACES}/{INTERACTIONS}"

@@ -7,10 +7,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+import msgspec
 import numpy as np
 
 from neurosym.checks import check_count
 from neurosym.data.interactions import Interactions
+from neurosym.data.ledger import BUDGET, Ledger
 from neurosym.data.origin import (
     StrategyName,
     box_of,
@@ -22,15 +24,15 @@ from neurosym.data.origin import (
     world_misfit,
 )
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted
-from neurosym.files import make_folder, write_json
+from neurosym.files import make_folder, read_json, write_json
 from neurosym.formats import PairFile, PlaceFile
 from neurosym.learning.training_config import PAIR_BITS, PLACE_BITS, STATE_BITS, Regime, regime_named
-from neurosym.operators import counted_axes
+from neurosym.operators import Primitive, counted_axes
 from neurosym.pair_operators import PairStates, describe_pair
 from neurosym.primitives.audition import CHOICES
 from neurosym.stages import layout
 from neurosym.stages.console import progress_bar
-from neurosym.stages.folder import Claim, DomainFolder, Stage
+from neurosym.stages.folder import Claim, DomainFolder, Stage, versions
 from neurosym.world import EFFECT_AXES, ActionBox, World, WorldFactory, references_of
 from neurosym.worlds.aims import (
     PAIR_AXES,
@@ -269,12 +271,18 @@ def distill_stage(
     objects: int,
     seed: int,
     workers: int,
+    budget: int = BUDGET,
+    performed: int = 0,
+    keeps_bits: bool = False,
     choice: str = "own",
 ) -> Stage:
     """Distil primitives and rehearse them: model, data and world -> `primitives.json`.
 
     Without a `world.toml`, nothing is rehearsed: effects are averaged from the data, whose origin, or else
     least and greatest values, are the action box.
+
+    The budget is for performances beyond the first so many, which are in the ledger already. If bits were
+    kept, what was chosen before is a candidate again.
     """
     check_count("objects", objects)
     check_workers(workers)
@@ -313,17 +321,40 @@ def distill_stage(
                     categorise=EffectModel.load(folder.require(aim.categories)).object_symbols,
                     world_factory=factory,
                     objects=objects,
+                    budget=budget,
                     seed=seed,
-                    workers=workers,
+                    ledger=ledger_of(folder, aim, workers, performed),
+                    former=read_json(folder.require(aim.table), _Chosen).primitives if keeps_bits else (),
                     open_bar=progress_bar,
                 )
         except NothingDistilled as error:
             raise InvalidFile(folder / of_model, "no action encodes to its symbol; train again") from error
         write_json(folder / aim.table, aim.stored(found))
 
-    options = {"objects": objects, "seed": seed, **({} if aim.folder else {"choice": choice})}
+    options: dict[str, Any] = {"objects": objects, "budget": budget, "seed": seed}
+    options |= ({"performed": performed} if performed else {}) | ({"bits": "kept"} if keeps_bits else {})
+    options |= {} if aim.folder else {"choice": choice}
     inputs = tuple(dict.fromkeys((layout.WORLD, aim.categories, of_model, of_network, data, *besides)))
     return Stage(aim.stage("distill"), inputs, (aim.table,), work, options, Claim.ALONE)
+
+
+class _Chosen(msgspec.Struct):
+    """What every file of operators has, whatever they are aimed at."""
+
+    primitives: tuple[Primitive, ...]
+
+
+def ledger_of(folder: DomainFolder, aim: Aim, workers: int = 1, free: int = 0) -> Ledger:
+    """Open what was performed for an aim in the world of a folder; other worlds and versions are forgotten.
+
+    Args:
+        folder: The domain folder.
+        aim: What the actions are aimed at.
+        workers: How many processes perform what is new.
+        free: So many were paid for before.
+    """
+    known = {**origin_of(read_world(folder.require(layout.WORLD))), "versions": versions()}
+    return Ledger(folder / aim.file(layout.LEDGER), known, workers, free)
 
 
 def train_stage(
@@ -334,10 +365,14 @@ def train_stage(
     regime: str,
     object_bits: int | None = None,
     action_bits: int | None = None,
+    performed: int = 0,
+    keeps_bits: bool = False,
 ) -> Stage:
     """Make the final fit: `interactions.npz` -> `effect_model.safetensors` and `training.json`.
 
-    Bits are those of the regime or the aim, if not given.
+    Bits are those of the regime or the aim, if not given. The network without a bottleneck also learns from
+    the first so many interactions that were performed to choose and measure operators. If bits are kept,
+    those of the model that is there stay what they are.
 
     Raises:
         UnknownChoice: If there is no such regime.
@@ -348,6 +383,7 @@ def train_stage(
     learned = (*aim.besides, layout.MODEL, aim.network, layout.TRAINING)
 
     def work() -> None:
+        from neurosym.learning.network import EffectModel
         from neurosym.learning.training import train
 
         path = folder.require(data)
@@ -356,6 +392,7 @@ def train_stage(
             raise InvalidFile(path, problems[0])
         if aim.axes not in (None, axes := interactions.effects.shape[1]):
             raise InvalidFile(path, f"its effects have {counted_axes(axes)}; valid: {aim.axes}")
+        more = ledger_of(folder, aim).interactions(interactions.origin, performed) if performed else None
         files: dict[str, Any] = aim.learn(folder, interactions, chosen, seed)
         with progress_bar(f"training {aim.folder}".rstrip()) as advance:
             trained = train(
@@ -363,6 +400,8 @@ def train_stage(
                 config=chosen.training,
                 model_config=network,
                 seed=seed,
+                more=more,
+                bits=EffectModel.load(folder.require(aim.file(layout.MODEL))) if keeps_bits else None,
                 progress=lambda stage, share: advance(round(100 * share), 100, stage),
             )
         files |= {layout.DIRECT_MODEL: trained.direct, layout.MODEL: trained.model}
@@ -374,6 +413,8 @@ def train_stage(
             else:
                 files[name].save(file)
 
-    options = {"seed": seed, "regime": regime, **({} if aim.bits else network.unusual_bits())}
+    options: dict[str, Any] = {"seed": seed, "regime": regime}
+    options |= {} if aim.bits else network.unusual_bits()
+    options |= ({"performed": performed} if performed else {}) | ({"bits": "kept"} if keeps_bits else {})
     inputs = (*((layout.WORLD,) if aim.besides else ()), data)
     return Stage(aim.stage("train"), inputs, tuple(map(aim.file, learned)), work, options, Claim.ALONE)
