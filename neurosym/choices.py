@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 TOLERANCE = 0.05
 """How near an object must come to its goal, and an outcome to its promise [m] (section III-E)."""
+BUDGET = 4000
+"""How often candidates and operators of one aim perform at most, if it is not said."""
 CELL = 0.005  # edge of a grid cell unless the user says otherwise [m]
 StrategyName = Literal["disagreement", "entropy", "curiosity", "random", "active"]
 """A way to explore; see `strategies`."""

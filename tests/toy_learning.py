@@ -18,7 +18,8 @@ from neurosym.learning.training_config import (
     TeacherConfig,
     TrainingConfig,
 )
-from neurosym.primitives.rehearsal import Search
+from neurosym.primitives.ledger import Ledger
+from neurosym.primitives.search import Search
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.toy import LONGEST_PUSH, WIDEST_GRASP, ToyWorld, make_world
 
@@ -54,7 +55,7 @@ def toy_data(count: int, strategy: str = "random") -> Interactions:
     return explore(make_world, steps=count, strategy=strategy, seed=0, config=config)
 
 
-def search(candidates=(), categorise=None, factory=make_world, told=None, **options) -> Search:
+def search(candidates=(), categorise=None, factory=make_world, told=None, workers=1, **options) -> Search:
     """Search for operators in the toy world; what bars tell is added to a list, if given."""
 
     @contextmanager
@@ -62,6 +63,7 @@ def search(candidates=(), categorise=None, factory=make_world, told=None, **opti
         yield lambda *numbers: told is None or told.append(numbers)
 
     given = {"predict": foretell, "features": some_features(100), "seed": 0, "open_bar": open_bar}
+    given["ledger"] = Ledger(workers=workers)
     return Search(
         tuple(candidates), categorise=categorise, world_factory=factory, shown=factory, **(given | options)
     )

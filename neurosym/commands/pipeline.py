@@ -11,7 +11,7 @@ from typing import Annotated, Any, NamedTuple, Optional
 import msgspec
 from tyro.conf import arg
 
-from neurosym.choices import CELL, DEFAULT_STRATEGY
+from neurosym.choices import BUDGET, CELL, DEFAULT_STRATEGY
 from neurosym.commands.arguments import CPUS, Folder, Seed, Workers, opened
 from neurosym.commands.learn import (
     ActionBits,
@@ -23,7 +23,6 @@ from neurosym.commands.learn import (
     make_domain_folder,
 )
 from neurosym.data.interactions import Interactions
-from neurosym.data.ledger import BUDGET
 from neurosym.errors import InvalidValue, counted, quoted
 from neurosym.execution.record import Run
 from neurosym.files import read_json, write_json

@@ -14,11 +14,11 @@ import numpy as np
 
 from neurosym.checks import Float, check_all, check_array, check_callable, check_count, check_kind, check_seed
 from neurosym.contract import made
-from neurosym.data.ledger import Ledger
 from neurosym.errors import InvalidValue, OpenBar, UnknownChoice, silent
 from neurosym.operators import Categorise, Primitive, symbols_of
 from neurosym.primitives.bandit import Contest, Groups, hold, trusted
-from neurosym.primitives.rehearsal import Search, rehearsal_sample
+from neurosym.primitives.ledger import Ledger
+from neurosym.primitives.rehearsal import rehearsal_sample
 from neurosym.primitives.reliability import (
     CandidateEffects,
     Foresee,
@@ -31,6 +31,7 @@ from neurosym.primitives.reliability import (
     worth_in_place,
 )
 from neurosym.primitives.sampling import Repertoire, Sample, shared_by_all, tasks_of, with_own
+from neurosym.primitives.search import Search
 from neurosym.world import ActionBox, WorldFactory
 
 MOVED = 0.001
@@ -146,7 +147,7 @@ def _most_shared(group: Sequence[Primitive], chosen: dict[str, list[Primitive]],
     """Return the candidate of a symbol that was chosen for most objects; it serves kinds never met."""
 
     def share(one: Primitive) -> float:
-        return sum(sample.shares[kind] for kind, own in chosen.items() if one in own)
+        return sum((sample.shares[kind] for kind, own in chosen.items() if one in own), 0.0)
 
     return max(group, key=share)
 

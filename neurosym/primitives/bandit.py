@@ -127,7 +127,7 @@ def _allotted(contests: Sequence[Contest], count: int, least: float) -> list[tup
     trust = trusted(contests)
     arms = [arm for contest in contests for arm in _arms(contest, trust)]
     gains, before = np.array([arm.gain for arm in arms]), [arm.count for arm in arms]
-    while count >= AT_ONCE and len(arms) and gains.max() >= least:
+    while count >= AT_ONCE and len(arms) and gains.max() > least:
         best = int(gains.argmax())
         arms[best].count += AT_ONCE
         gains[best] = arms[best].gain
@@ -164,6 +164,8 @@ def _worths(judged: Sequence[Sequence[Judgement]]) -> list[tuple[list[float], li
     What displaces objects is worth what the others do not do; of what carries them, one is enough.
     """
     flat = [one for group in judged for one in group]
+    if not flat:
+        return [([], []) for _ in judged]
     if any(one.kind == "carried" for one in flat):
         surest = max(one.sureness for one in flat) or 1.0
         weights = [(max((o.sureness for o in g), default=0.0) / surest) ** _BEHIND for g in judged]
@@ -175,7 +177,8 @@ def _worths(judged: Sequence[Sequence[Judgement]]) -> list[tuple[list[float], li
     groups = [[next(numbers) for _ in group] for group in judged]
     sureness = np.array([[one.sureness] for one in flat])
     effects = CandidateEffects(np.array([[one.mean] for one in flat]), sureness, np.ones(1))
-    chosen, place, found = best_set([g for g in groups if g], effects) if flat else [], 0, []
+    chosen, place = best_set([group for group in groups if group], effects), 0
+    found = list[tuple[list[float], list[float]]]()
     for group in groups:
         of_others, own = worths_in_place(chosen, place, group, effects) if group else ([], [])
         values = [one + other for one, other in zip(of_others, own, strict=True)]

@@ -10,15 +10,16 @@
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import msgspec
 import numpy as np
 
+from neurosym.choices import BUDGET
 from neurosym.contract import made
 from neurosym.data.interactions import Interactions
-from neurosym.data.ledger import BUDGET, Ledger
 from neurosym.errors import InvalidValue, OpenBar, silent
 from neurosym.learning.network import EffectModel
 from neurosym.operators import (
@@ -33,12 +34,11 @@ from neurosym.operators import (
 from neurosym.pair_operators import PairStates, RelationOperators
 from neurosym.primitives.audition import choose, choose_among, choose_own
 from neurosym.primitives.distillation import distill
+from neurosym.primitives.ledger import Ledger
 from neurosym.primitives.pair_audition import choose_for_pairs, rehearse_among, tabulate_pairs
 from neurosym.primitives.rehearsal import (
     MARGIN,
-    Method,
     Rehearsals,
-    Search,
     describe_categories,
     rehearse,
     rehearse_among_others,
@@ -48,8 +48,24 @@ from neurosym.primitives.rehearsal import (
 )
 from neurosym.primitives.reliability import PredictOutcomes, foresee_carrying
 from neurosym.primitives.sampling import Repertoire
+from neurosym.primitives.search import Search
 from neurosym.world import ActionBox, OutcomeKind, WorldFactory
 from neurosym.worlds.aims import AimedFactory, CrowdedFactory, RelatedFactory
+
+
+@dataclass(frozen=True, slots=True)
+class Method:
+    """How operators are found for what actions are aimed at.
+
+    Attributes:
+        adapt: Has every action in a world aimed so.
+        choose: Chooses among the candidates.
+        measure: Tells from the rehearsals of what was chosen what each operator does; rehearses it further.
+    """
+
+    adapt: Callable[[WorldFactory], WorldFactory]
+    choose: Callable[[Search], Repertoire]
+    measure: Callable[[Search, Rehearsals], Any]
 
 
 class NothingDistilled(InvalidValue):

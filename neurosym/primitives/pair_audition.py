@@ -38,9 +38,7 @@ from neurosym.pair_operators import (
 from neurosym.primitives.audition import moved
 from neurosym.primitives.bandit import Contest, hold
 from neurosym.primitives.rehearsal import (
-    REHEARSED,
     Rehearsals,
-    Search,
     means_for_naming,
     name_categories,
     rounded,
@@ -54,6 +52,7 @@ from neurosym.primitives.sampling import (
     tasks_of,
     with_own,
 )
+from neurosym.primitives.search import REHEARSED, Search
 from neurosym.world import OtherObject, Outcome, Scene
 from neurosym.worlds.aims import TARGET, RelatedFactory, RelatedScene, as_pair, taken
 

@@ -5,11 +5,10 @@ rehearsed effects. Outcomes that differ in kind (at rest, held, toppled, lost) a
 never averaged together, since the mean of "on the table" and "in the air" is a place where no object ever is.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from itertools import compress
-from typing import Any
 
 import msgspec
 import numpy as np
@@ -25,8 +24,7 @@ from neurosym.checks import (
     check_whole,
 )
 from neurosym.contract import made
-from neurosym.data.ledger import BUDGET, Ledger
-from neurosym.errors import InvalidValue, OpenBar, Progress, part, silent
+from neurosym.errors import InvalidValue, Progress, part
 from neurosym.operators import (
     TABLE_FORMAT,
     TOLERANCE,
@@ -44,8 +42,8 @@ from neurosym.operators import (
     all_symbols,
     name_operator,
 )
-from neurosym.primitives.bandit import Perform
-from neurosym.primitives.reliability import PredictOutcomes, judge, performance
+from neurosym.primitives.ledger import Ledger
+from neurosym.primitives.reliability import judge, performance
 from neurosym.primitives.sampling import (
     Repertoire,
     Sample,
@@ -54,12 +52,11 @@ from neurosym.primitives.sampling import (
     shared_by_all,
     tasks_of,
 )
+from neurosym.primitives.search import REHEARSED, Search
 from neurosym.tasks.promises import chances_of, rehearsed_objects
 from neurosym.world import Outcome, OutcomeKind, Scene, World, WorldFactory
 from neurosym.worlds.aims import AimedFactory, AimedScene, CrowdedFactory, joined
 
-AUDITIONED, REHEARSED = "auditioned", "rehearsed"
-"""What performances are for."""
 LEAST = 30
 """Objects of a category that are rehearsed on, however rare it is, if at least so many are asked for."""
 _STREAM = 0x7265  # keeps rehearsal's draws apart from those of exploration
@@ -329,73 +326,6 @@ def means_for_naming(rows: Float[np.ndarray, "N F"], feature_names: Sequence[str
 def rounded(values: Iterable[float]) -> Effect:
     """Round lengths [m], or types, to the digits that are kept, without a negative zero."""
     return tuple(round(float(value), _DIGITS) + 0.0 for value in values)
-
-
-# A search for operators: what there is to choose from, and how it goes on for what actions are aimed at
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Search:
-    """What operators are chosen from, and measured with.
-
-    Attributes:
-        candidates: Distilled actions.
-        predict: A network without a bottleneck on the same data, which shortlists.
-        features: What it can be asked about: of the objects of the data.
-        categorise: Gives the object symbols of features.
-        world_factory: Builds the world; must survive pickling if there is more than one worker.
-        shown: Builds it as it is shown: every action in it is aimed.
-        seed: Where all draws start.
-        objects: How many objects each symbol is rehearsed on, not counting those added for rare categories.
-        budget: How often actions perform at most.
-        ledger: What performs, and keeps what was performed.
-        former: Candidates that were chosen before, when less was known.
-        open_bar: Shows how far each part has come.
-    """
-
-    candidates: tuple[Primitive, ...]
-    predict: PredictOutcomes
-    features: Float[np.ndarray, "M F"]
-    categorise: Categorise
-    world_factory: WorldFactory
-    shown: WorldFactory
-    seed: int
-    objects: int = 100
-    budget: int = BUDGET
-    ledger: Ledger = field(default_factory=Ledger)
-    former: tuple[Primitive, ...] = ()
-    open_bar: OpenBar = silent
-
-    @property
-    def left(self) -> int:
-        """How often actions may still perform."""
-        return max(0, self.budget - self.ledger.spent)
-
-    def performer(self, world_factory: WorldFactory, progress: Progress) -> Perform:
-        """Return what has candidates perform in a world."""
-        begun = self.ledger.spent
-
-        def perform(asked: Sequence[tuple[Primitive, Scene]]) -> list[Outcome]:
-            tasks = [task for one, scene in asked for task in tasks_of(one, [scene])]
-            done = self.ledger.spent - begun
-            return self.ledger.perform(world_factory, tasks, AUDITIONED, part(progress, done))
-
-        return perform
-
-
-@dataclass(frozen=True, slots=True)
-class Method:
-    """How operators are found for what actions are aimed at.
-
-    Attributes:
-        adapt: Has every action in a world aimed so.
-        choose: Chooses among the candidates.
-        measure: Tells from the rehearsals of what was chosen what each operator does; rehearses it further.
-    """
-
-    adapt: Callable[[WorldFactory], WorldFactory]
-    choose: Callable[[Search], Repertoire]
-    measure: Callable[[Search, Rehearsals], Any]
 
 
 # Rehearsing where an outcome is unsure: on more of those objects that may turn out either way.

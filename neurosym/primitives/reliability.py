@@ -196,8 +196,13 @@ def judge_outcomes(outcomes: Sequence[Outcome]) -> Judgement:
 
 
 def foresee_displacement(predicted: Float[np.ndarray, "N O"]) -> Judgement:
-    """Judge an action by the displacements and greatest heights that are predicted of objects [m]."""
-    return Judgement("resting", predicted.mean(0), exactness(predicted[:, :3]))
+    """Judge an action by the displacements that are predicted of objects, and by their greatest heights [m].
+
+    Where these are not predicted, an object is as high as it ends.
+    """
+    mean = predicted.mean(0)
+    highest = mean[3] if len(mean) > 3 else max(0.0, mean[2])
+    return Judgement("resting", np.array([*mean[:3], highest]), exactness(predicted[:, :3]))
 
 
 def foresee_carrying(predicted: Float[np.ndarray, "N O"]) -> Judgement:

@@ -8,9 +8,9 @@ from types import MappingProxyType
 import msgspec
 import numpy as np
 
-from neurosym.data.ledger import Ledger
 from neurosym.errors import Progress
 from neurosym.operators import Categorise, OperatorTable, Primitive, Symbol, all_symbols, symbols_of
+from neurosym.primitives.ledger import Ledger
 from neurosym.world import Outcome, Scene, World, WorldFactory
 from neurosym.worlds.workers import Task
 

@@ -11,8 +11,8 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import check_count
+from neurosym.choices import BUDGET
 from neurosym.data.interactions import Interactions
-from neurosym.data.ledger import BUDGET, Ledger
 from neurosym.data.origin import (
     StrategyName,
     box_of,
@@ -30,6 +30,7 @@ from neurosym.learning.training_config import PAIR_BITS, PLACE_BITS, STATE_BITS,
 from neurosym.operators import Primitive, counted_axes
 from neurosym.pair_operators import PairStates, describe_pair
 from neurosym.primitives.audition import CHOICES
+from neurosym.primitives.ledger import Ledger
 from neurosym.stages import layout
 from neurosym.stages.console import progress_bar
 from neurosym.stages.folder import Claim, DomainFolder, Stage, versions
@@ -47,7 +48,7 @@ from neurosym.worlds.workers import check_workers
 from neurosym.worlds.world_file import origin_of, read_world
 
 if TYPE_CHECKING:
-    from neurosym.primitives.rehearsal import Method
+    from neurosym.primitives.operator_search import Method
 
 
 _FRESH = 600

@@ -1,16 +1,12 @@
 """Choosing among candidates: what is sure and does something wins, for all categories or for each its own."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from toy_learning import (
-    FORWARD,
     LEFT,
     LIFT,
     SHORT,
     Changed,
-    alike,
     by_affordance,
     foretell,
     search,
@@ -19,11 +15,10 @@ from toy_learning import (
 
 from neurosym.errors import UnknownChoice
 from neurosym.operators import Primitive
-from neurosym.primitives.audition import Round, audition, choose, choose_own, shortlist_own
-from neurosym.primitives.rehearsal import rehearsal_sample, rehearse, tabulate
+from neurosym.primitives.audition import choose, choose_own, moved
+from neurosym.primitives.rehearsal import rehearse, tabulate
 from neurosym.primitives.sampling import Repertoire, with_own
-from neurosym.world import Outcome, Scene
-from neurosym.worlds.toy import LONGEST_PUSH, make_world
+from neurosym.worlds.toy import make_world
 
 RIVALS = (
     Primitive("001", SHORT, 0.001),
@@ -31,41 +26,6 @@ RIVALS = (
     Primitive("100", LIFT, 0.03),
     Primitive("100", SHORT, 0.002),
 )
-TWELVE = Round(4, 12), Round(2, 12)
-
-
-def test_audition_finds_what_works_whatever_was_foretold():
-    one, two = (
-        audition(search(categorise=by_affordance, workers=workers), groups, rounds=TWELVE)
-        for workers, groups in ((1, RIVALS), (2, RIVALS[::-1]))
-    )
-    assert [(each.symbol, each.action) for each in one] == [("001", LEFT), ("100", LIFT)]
-    assert one == two
-
-
-def test_auditions_are_on_other_objects_than_rehearsals_and_the_same_for_every_candidate():
-    auditioned, told = [], []
-    world = Changed(lambda scene, action: auditioned.append(tuple(scene.features[0])) or action)
-    audition(search((), alike, lambda: world, told, seed=3), RIVALS[:2], rounds=(Round(4, 5), Round(2, 5)))
-    assert auditioned[:5] == auditioned[5:10]
-    assert auditioned[10:15] == auditioned[15:]
-    assert len(set(auditioned)) == 10  # the second audition is on others
-    drawn = rehearsal_sample(world, alike, objects=10, seed=3).scenes["0"]
-    rehearsed = {tuple(scene.features[0]) for scene in drawn}
-    assert not rehearsed & set(auditioned)
-    assert told == [(n, 20) for n in range(1, 21)]
-
-
-def test_who_shone_by_luck_is_found_out_by_the_second_audition():
-    groups = (Primitive("0", SHORT, 0.0), Primitive("0", LEFT, 0.0))
-    performed = []
-
-    def luck(_, action):  # does something by `SHORT` while the first audition lasts
-        performed.append(action)
-        return np.array(FORWARD) if tuple(action) == SHORT and len(performed) <= 2 * 12 else action
-
-    assert audition(search((), by_affordance, lambda: Changed(luck)), groups, rounds=TWELVE)[0].action == LEFT
-    assert len(performed) == 4 * 12
 
 
 def test_without_a_world_the_choice_rests_on_what_is_foretold():
@@ -78,86 +38,77 @@ def test_without_a_world_the_choice_rests_on_what_is_foretold():
         choose(RIVALS, "luck", world_factory=None, **options)
 
 
-def test_the_world_has_the_last_word():
-    def wrong(features, actions):
-        return 0.1 * np.abs(actions[:, 5:8] - 0.1)  # SHORT as good as LEFT, which comes later
-
-    options = {"features": some_features(), "categorise": by_affordance, "seed": 0, "workers": 1}
-    for factory, best in ((make_world, RIVALS[1]), (None, RIVALS[0])):
-        chosen = choose(RIVALS, "predictable", predict=wrong, world_factory=factory, **options)
-        assert chosen.primitives[0] == best
-
-
-EDGE = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.02, 0.1, 0.0, 0.04, 0.0, 0.1)
 PUSHING, LIFTING, DOING_NOTHING = (Primitive("0", action, 0.01) for action in (LEFT, LIFT, SHORT))
 
 
-def pushable(features):
-    return tuple(f"{int(p)}" for p in features[:, 0] <= LONGEST_PUSH)
-
-
-def chosen(candidates, shared, categorise=by_affordance, factory=make_world, **options):
-    return choose_own(search(candidates, categorise, factory, **options), shared, factory)
+def chosen(candidates, categorise=by_affordance, factory=make_world, **options):
+    return choose_own(search(candidates, categorise, factory, **options), factory)
 
 
 def actions_of(repertoire, category):
     return [one.action for one in repertoire.primitives if repertoire.serves(one, category)]
 
 
-def make_cliff():
-    """A toy world in which a push goes farther if waypoint 2 is high, and nowhere if just above."""
-    return Changed(lambda _, action: action if action[6] <= 0.0201 else np.array(SHORT), farther)
-
-
-def farther(action: np.ndarray, outcome: Outcome) -> Outcome:
-    times = 1.5 if action[6] > 0.015 else 1.0
-    moved = outcome.start.positions + times * (outcome.end.positions - outcome.start.positions)
-    end = Scene(outcome.end.features, moved, outcome.end.orientations)
-    return replace(outcome, lifted=end, end=end, lost=False)
-
-
 def test_each_category_gets_the_action_that_does_best_there():
-    found = chosen([LIFTING, PUSHING, DOING_NOTHING], [DOING_NOTHING])
+    found = chosen([LIFTING, PUSHING, DOING_NOTHING])
     assert actions_of(found, "01") == [LEFT]
     assert actions_of(found, "10") == [LIFT]
-    assert found.primitives[0] == DOING_NOTHING  # the shared one stays, though nothing is done with it
-    assert [one.label for one in found.primitives] == ["0", "0a", "0b"]
-    assert chosen([LIFTING, PUSHING, DOING_NOTHING], [DOING_NOTHING], workers=2) == found
+    assert sorted(one.label for one in found.primitives) == ["0", "0a"]
+    assert chosen([LIFTING, PUSHING, DOING_NOTHING], workers=2) == found
 
 
-def test_the_shared_action_stays_where_it_is_best_unless_another_symbol_does_the_same():
-    found = chosen([LIFTING, PUSHING], [PUSHING])
-    assert actions_of(found, "01") == [LEFT]
-    assert actions_of(found, "10") == [LIFT]
-    assert sorted(actions_of(found, "11")) == sorted([LEFT, LIFT])
-    assert [one.label for one in found.primitives] == ["0", "0a"]
+def test_symbols_are_chosen_such_that_they_do_different_things():
     other = Primitive("1", LEFT, 0.0)
-    found = chosen([LIFTING, PUSHING, other], [PUSHING, other])
-    assert sorted(one.label for one in found.primitives if found.serves(one, "11")) == ["0a", "1"]
+    found = chosen([LIFTING, PUSHING, other])
+    assert sorted(actions_of(found, "11")) == sorted([LEFT, LIFT])
 
 
-def test_an_action_on_an_edge_is_demoted_because_its_performances_are_moved(monkeypatch):
-    safe, edge = PUSHING, Primitive("0", EDGE, 0.0)
-    for candidates, shared in (([safe, edge], [safe]), ([edge, safe], [edge])):
-        found = chosen(candidates, shared, pushable, make_cliff, seed=1)
-        assert actions_of(found, "1")[0] == LEFT
-    monkeypatch.setattr("neurosym.primitives.audition.MOVED", 0.0)
-    found = chosen([safe, edge], [safe], pushable, make_cliff, seed=1)
-    assert EDGE in actions_of(found, "1")
+def hopeful(features, actions):
+    """Foretell that `SHORT`, too, pushes as far as `LEFT`."""
+    asked = np.where(np.all(actions == np.array(SHORT, dtype=actions.dtype), axis=1)[:, None], LEFT, actions)
+    return foretell(features, asked)
+
+
+def test_the_world_has_the_last_word():
+    found = chosen([DOING_NOTHING, PUSHING], predict=hopeful)
+    assert actions_of(found, "01") == [LEFT]
+
+
+def test_what_is_foreseen_to_fail_does_not_perform_for_being_chosen():
+    performed = []
+    world = Changed(lambda _, action: performed.append(tuple(action)) or action)
+    chosen([PUSHING, DOING_NOTHING], factory=lambda: world)
+    assert performed.count(SHORT) == 0
+
+
+def test_candidates_perform_on_the_objects_that_the_chosen_are_rehearsed_on_and_that_counts():
+    looking = search([PUSHING, LIFTING], by_affordance, objects=40)
+    found = choose_own(looking, make_world)
+    before = looking.ledger.spent
+    rehearsals = rehearse(make_world, found, by_affordance, objects=40, seed=0, ledger=looking.ledger)
+    performed = sum(one is not None for row in rehearsals.outcomes for one in row)
+    assert 0 < looking.ledger.spent - before < performed
+    table = tabulate(rehearsals, make_world().feature_names)
+    for one in table.operators:
+        assert one.trials == found.times[one.subject, one.label]
+        assert len(one.objects or table.category(one.subject).objects) == one.trials
+
+
+def test_no_more_is_performed_than_the_budget_allows():
+    for budget in (0, 20, 60):
+        looking = search([PUSHING, LIFTING, DOING_NOTHING], by_affordance, budget=budget)
+        found = choose_own(looking, make_world)
+        rehearse(make_world, found, by_affordance, seed=0, ledger=looking.ledger)
+        assert looking.ledger.spent <= max(budget, len(found.times))  # each is seen once at least
 
 
 def test_moves_stay_in_the_box_and_leave_the_gripper_alone():
-    box, asked = make_world().action_box, []
-
-    def predict(features, actions):
-        asked.append(actions)
-        return np.zeros((len(features), 4))
-
+    box = make_world().action_box
     corner = Primitive("0", tuple(box.high.tolist()), 0.0)
-    shortlist_own([[corner, PUSHING]], predict, some_features(30), box, 6, 0)
-    for action, moved in zip((corner.action, LEFT), np.split(asked[0], 2), strict=True):
-        change = moved - np.array(action)
-        assert all(map(box.contains, moved))
+    for one in (corner, PUSHING):
+        changed = moved(one, 30, box, 0)
+        change = changed - np.array(one.action)
+        assert all(map(box.contains, changed))
         assert not np.any(change[:, box.gripper])
         assert np.all(np.any(change[:, ~box.gripper], axis=0))
         assert np.abs(change).max() < 0.005

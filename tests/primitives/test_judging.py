@@ -6,10 +6,10 @@ from math import pi, sqrt, tanh
 
 import numpy as np
 import pytest
-from toy_learning import LEFT, Changed, alike, search
+from toy_learning import LEFT, alike
 
 from neurosym.operators import Primitive
-from neurosym.primitives.audition import audition, shortlist
+from neurosym.primitives.audition import choose
 from neurosym.primitives.reliability import (
     EXACT,
     PLENTY,
@@ -148,13 +148,11 @@ def test_best_set_is_nearly_always_the_best_of_all_and_no_single_exchange_makes_
 
 
 @pytest.mark.parametrize(("first", "other"), [(LEFT, CARRY), (CARRY, LEFT)])
-def test_audition_and_shortlist_tell_carrying_from_pushing_equally_far_by_the_height(first, other):
+def test_choices_tell_carrying_from_pushing_equally_far_by_the_height(first, other):
     def outcomes(_, actions):
         return np.column_stack([np.tile([0.0, PUSH_LENGTH, 0.0], (len(actions), 1)), actions[:, 6]])
 
     rivals = Primitive("0", first, 0.0), Primitive("1", first, 0.0), Primitive("1", other, 0.0)
-    chosen = shortlist(rivals, outcomes, np.zeros((50, 4)), alike, 1)
+    options = {"predict": outcomes, "features": np.zeros((50, 4)), "categorise": alike, "seed": 0}
+    chosen = choose(rivals, "predictable", world_factory=None, **options).primitives
     assert [one.action for one in chosen] == [first, other]
-    for told, second in ((risen, other), (lambda _, outcome: outcome, first)):
-        chosen = audition(search((), alike, lambda told=told: Changed(told=told)), rivals)
-        assert [one.action for one in chosen] == [first, second]

@@ -26,8 +26,6 @@ from neurosym.world import Disturbance, OtherObject, Outcome, Place, Scene, Worl
 from neurosym.worlds.workers import Task, perform_all
 
 FORMAT = "neurosym-ledger-1"
-BUDGET = 4000
-"""How often candidates and operators perform at most, if it is not said."""
 BLOCK = 256
 """Outcomes between two writes of the file: as many are lost at most."""
 _DISTURBED = ("", *get_args(Disturbance))
@@ -188,7 +186,7 @@ def _objects(outcome: Outcome) -> dict[str, np.ndarray]:
     }
 
 
-def _outcome(row: dict[str, np.ndarray], objects: dict[str, np.ndarray]) -> Outcome:
+def _outcome(row: dict[str, Any], objects: dict[str, np.ndarray]) -> Outcome:
     """Read an outcome as it was written."""
     features = objects["features"]
     kind, *where = row["references"].tolist()

@@ -1,0 +1,68 @@
+"""A search for operators: what there is to choose from, and what performs."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from neurosym.checks import Float
+from neurosym.choices import BUDGET
+from neurosym.errors import OpenBar, Progress, part, silent
+from neurosym.operators import Categorise, Primitive
+from neurosym.primitives.bandit import Perform
+from neurosym.primitives.ledger import Ledger
+from neurosym.primitives.reliability import PredictOutcomes
+from neurosym.primitives.sampling import tasks_of
+from neurosym.world import Outcome, Scene, WorldFactory
+
+AUDITIONED, REHEARSED = "auditioned", "rehearsed"
+"""What performances are for."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Search:
+    """What operators are chosen from, and measured with.
+
+    Attributes:
+        candidates: Distilled actions.
+        predict: A network without a bottleneck on the same data, which shortlists.
+        features: What it can be asked about: of the objects of the data.
+        categorise: Gives the object symbols of features.
+        world_factory: Builds the world; must survive pickling if there is more than one worker.
+        shown: Builds it as it is shown: every action in it is aimed.
+        seed: Where all draws start.
+        objects: How many objects each symbol is rehearsed on, not counting those added for rare categories.
+        budget: How often actions perform at most.
+        ledger: What performs, and keeps what was performed.
+        former: Candidates that were chosen before, when less was known.
+        open_bar: Shows how far each part has come.
+    """
+
+    candidates: tuple[Primitive, ...]
+    predict: PredictOutcomes
+    features: Float[np.ndarray, "M F"]
+    categorise: Categorise
+    world_factory: WorldFactory
+    shown: WorldFactory
+    seed: int
+    objects: int = 100
+    budget: int = BUDGET
+    ledger: Ledger = field(default_factory=Ledger)
+    former: tuple[Primitive, ...] = ()
+    open_bar: OpenBar = silent
+
+    @property
+    def left(self) -> int:
+        """How often actions may still perform."""
+        return max(0, self.budget - self.ledger.spent)
+
+    def performer(self, world_factory: WorldFactory, progress: Progress) -> Perform:
+        """Return what has candidates perform in a world."""
+        begun = self.ledger.spent
+
+        def perform(asked: Sequence[tuple[Primitive, Scene]]) -> list[Outcome]:
+            tasks = [task for one, scene in asked for task in tasks_of(one, [scene])]
+            done = self.ledger.spent - begun
+            return self.ledger.perform(world_factory, tasks, AUDITIONED, part(progress, done))
+
+        return perform
