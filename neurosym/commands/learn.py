@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal, Optional
 
 from tyro.conf import Positional, arg
 
-from neurosym.choices import CELL, DEFAULT_STRATEGY, StrategyName
+from neurosym.choices import BUDGET, CELL, DEFAULT_STRATEGY, StrategyName
 from neurosym.commands.arguments import CPUS, Folder, Json, Seed, Workers, answer_in, opened
 from neurosym.errors import InvalidData, InvalidFile, InvalidValue, counted, listed_briefly, quoted
 from neurosym.learning.training_config import DEFAULT_BITS, PAPER_BITS
@@ -183,11 +183,16 @@ def train(
 def distill(
     folder: Folder,
     objects: Annotated[int, arg(help="Objects that each primitive is rehearsed on.")] = 100,
+    interactions: Annotated[int, arg(help="Interactions at most, for each kind of aim.")] = BUDGET,
     seed: Seed = 0,
     workers: Workers = CPUS,
     choice: Choice = "own",
 ) -> int:
-    """Turn action symbols into parameters and rehearse each: -> `primitives.json`."""
+    """Turn action symbols into parameters and rehearse each: -> `primitives.json`.
+
+    Interrupt it when you like: the same command goes on. What was performed is kept in
+    `performed.safetensors`, and not performed again.
+    """
     from neurosym.commands.tables import show_operators, show_relations, show_verdict
     from neurosym.formats import PairFile, PlaceFile
     from neurosym.operators import OperatorTable, counted_axes
@@ -195,7 +200,7 @@ def distill(
     from neurosym.stages.verdicts import judge_operators, judge_relations
 
     domain, after = opened(folder), f"compile-domain {quoted(folder)}"
-    options: dict[str, Any] = {"objects": objects, "seed": seed, "workers": workers}
+    options: dict[str, Any] = {"objects": objects, "budget": interactions, "seed": seed, "workers": workers}
     domain.perform(distill_stage(domain, choice=choice, **options), again=True)
     table = OperatorTable.load(domain / layout.PRIMITIVES)
     show_operators(table)

@@ -5,6 +5,7 @@ explores, the networks learn from all that was performed, and the rest goes to c
 it is worth most. So there is a domain to plan with after each round, and a better one after the next.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Annotated, Any, NamedTuple, Optional
 
@@ -28,7 +29,7 @@ from neurosym.execution.record import Run
 from neurosym.files import read_json, write_json
 from neurosym.grounding import Grounding
 from neurosym.learning.training import TrainingReport
-from neurosym.learning.training_config import regime_named
+from neurosym.learning.training_config import PLACE_BITS, regime_named
 from neurosym.stages import layout
 from neurosym.stages.compilation import compile_stage
 from neurosym.stages.console import say, say_next, show_table
@@ -60,8 +61,8 @@ _PLACES_FOR = 4
 """With --steps, for so many there is one that is aimed at a place, if the user does not say how many."""
 _LEAST_STEPS = 1024
 """From so few steps nothing is learned of places, unless the user says so."""
-_LEAST = 100
-"""Fewer interactions than this are refused."""
+_SEEN = 5
+"""So often an operator is to be seen at least, on average."""
 _FIRST = 2000
 """Interactions of the first round, for all aims together."""
 _BUDGETS = 6, 4, 5
@@ -155,12 +156,15 @@ def run(
     round; more --interactions go on from the last. Of exploring it loses at most a block of 512 interactions.
     """
     bits: dict[str, Any] = {"object_bits": object_bits, "action_bits": action_bits}
-    regime_named(regime).model.with_bits(**bits)
+    chosen = regime_named(regime).model.with_bits(**bits)
     if steps is not None and interactions is not None:
         raise InvalidValue("--steps explores at once, and --interactions is a budget for rounds; give one.")
     domain = _begun(folder, world, steps)
+    if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
+        steps = _explored(domain)
     known = read_world(domain.require(layout.WORLD))()
-    plan = _rounds(domain, known, interactions, steps, places, relations)
+    operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
+    plan = _rounds(domain, known, interactions, steps, places, relations, operators)
     fitting: dict[str, Any] = {"seed": seed, "regime": regime}
     exploring: dict[str, Any] = {**fitting, "strategy": strategy, "workers": workers}
     distilling: dict[str, Any] = {"objects": rehearsals, "choice": choice, "seed": seed, "workers": workers}
@@ -195,6 +199,12 @@ def run(
     return 0
 
 
+def _explored(folder: DomainFolder) -> int | None:
+    """Return how much was explored at once, as earlier versions did and `neurosym explore` does."""
+    path = folder / layout.INTERACTIONS
+    return len(Interactions.load(path)) if path.is_file() else None
+
+
 class Share(NamedTuple):
     """What an aim gets of a round: interactions to explore, and to choose and measure operators, so far."""
 
@@ -213,21 +223,29 @@ def _rounds(
     steps: int | None,
     places: int | None,
     relations: int,
+    counts: Sequence[int],
 ) -> list[Round]:
-    """Say how much each aim gets in each round, all rounds before it included."""
+    """Say how much each aim gets in each round, all rounds before it included.
+
+    There are so many operators of objects, and of places.
+    """
     if steps is not None:
-        counts = _counts(folder, world, steps, places, relations)
-        return [{aim.folder: Share(n, BUDGET) for aim, n in zip(AIMS, counts, strict=True) if n}]
+        explored = _counts(folder, world, steps, places, relations)
+        return [{aim.folder: Share(n, BUDGET) for aim, n in zip(AIMS, explored, strict=True) if n}]
     takes = "place" in references_of(world)
     asked = True, takes if places is None else places > 0, relations > 0
     _check_aims(folder, world, asked[1], asked[2])
     weights = {aim.folder: _BUDGETS[n] for n, aim in enumerate(AIMS) if asked[n]}
     most = {"": _MOST_EXPLORED, layout.PLACES: places or _MOST_EXPLORED, layout.RELATIONS: relations}
     ceiling = _EACH * sum(weights.values()) if interactions is None else interactions
-    if ceiling < _LEAST:
-        raise InvalidValue(
-            f"--interactions {ceiling} is too few to learn anything from; give at least {_LEAST}."
-        )
+    for (name, weight), operators in zip(weights.items(), counts, strict=False):
+        least = math.ceil(_SEEN * operators * sum(weights.values()) / weight / (1 - _EXPLORED))
+        if ceiling < least:
+            of = f" of {name}" if name else ""
+            raise InvalidValue(
+                f"--interactions {ceiling} are too few for {operators} operators{of}, which are to be seen "
+                f"{_SEEN} times each; give at least {least}, or fewer bits."
+            )
     totals = [_FIRST << n for n in range(ceiling.bit_length()) if _FIRST << n < ceiling]
     every = sum(weights.values())
     return [
@@ -257,8 +275,12 @@ def _spend(
     for number, asked in enumerate(plan, 1):
         before = budget.rounds[-1] if budget.rounds else {}
         shares = {name: _at_least(share, before.get(name)) for name, share in asked.items()}
-        if shares == {name: Share(one.explored, one.budget) for name, one in before.items()}:
-            continue
+        done = {name: Share(one.explored, one.budget) for name, one in before.items()}
+        if shares == done != asked:
+            continue  # rounds of an earlier call
+        if shares == done:  # the last one: its files may have been changed since
+            budget = Budget(budget.rounds[:-1])
+            before = budget.rounds[-1] if budget.rounds else {}
         if budget.is_idle:
             say("no more is worth performing by what is known; --steps explores more at once")
             break
@@ -275,7 +297,8 @@ def _spend(
         )
         if is_open:
             budget = Budget((*budget.rounds, spent))
-            write_json(folder / layout.BUDGET, budget)
+            if budget != _budget(folder):
+                write_json(folder / layout.BUDGET, budget)
             can = judge_domain(_grounding(folder)).lines[0]
             say(f"round {number} of {len(plan)}: {counted(budget.total, 'interaction')} so far; {can}")
 
@@ -357,6 +380,11 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
         columns = ["problem", "objects", "plan", "primitives", "seconds", "goal", "why not"]
         title = f"{counted(len(tried), 'problem')} drawn from the world"
         show_table(title, columns, [cells for cells, _ in tried])
+    performed = [ledger_of(folder, aim) for aim in AIMS if (folder / aim.file(layout.LEDGER)).is_file()]
+    explored = [folder / aim.file(layout.INTERACTIONS) for aim in AIMS]
+    rows = sum(len(Interactions.load(path)) for path in explored if path.is_file())
+    more = sum(map(len, performed))
+    say(f"{counted(rows + more, 'interaction')}: {rows} explored, {more} to choose and measure operators")
     say(f"everything lies in {folder.path}; {folder / layout.DOMAIN} is the domain")
     report = read_json(folder / layout.TRAINING, TrainingReport)
     learned = judge_training(report, Interactions.load(folder / layout.INTERACTIONS))

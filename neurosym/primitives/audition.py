@@ -116,8 +116,8 @@ def _affordable(seen: Sequence[int], is_sure: Sequence[bool], search: Search) ->
         wanted = (enough if sure else min(_FEW, enough) for sure in is_sure)
         return sum(max(0, count - there) for count, there in zip(wanted, seen, strict=True))
 
-    counts = range(search.objects // _CATEGORIES, 0, -1)
-    return next((enough for enough in counts if cost(enough) <= search.left), 1)
+    counts = range(max(1, search.objects // _CATEGORIES), 0, -1)
+    return next((enough for enough in counts if cost(enough) <= search.left), 0)
 
 
 def _contest(search: Search, sample: Sample, kind: str, foresee: Foresee) -> Contest:

@@ -156,9 +156,10 @@ def rehearse(
     sample = rehearsal_sample(world, categorise, objects=objects, seed=seed)
     drawn = [(symbol, scene) for symbol, members in sample.scenes.items() for scene in members]
     places = [place for members in sample.scenes.values() for place in range(len(members))]
+    usual = max(primitives.times.values(), default=len(drawn))
     served = [
         [
-            primitives.serves(one, symbol) and place < primitives.times.get((symbol, one.label), len(drawn))
+            primitives.serves(one, symbol) and place < primitives.times.get((symbol, one.label), usual)
             for (symbol, _), place in zip(drawn, places, strict=True)
         ]
         for one in given

@@ -332,7 +332,8 @@ def distill_stage(
             raise InvalidFile(folder / of_model, "no action encodes to its symbol; train again") from error
         write_json(folder / aim.table, aim.stored(found))
 
-    options: dict[str, Any] = {"objects": objects, "budget": budget, "seed": seed}
+    options: dict[str, Any] = {"objects": objects, "seed": seed}
+    options |= {} if budget == BUDGET else {"budget": budget}
     options |= ({"performed": performed} if performed else {}) | ({"bits": "kept"} if keeps_bits else {})
     options |= {} if aim.folder else {"choice": choice}
     inputs = tuple(dict.fromkeys((layout.WORLD, aim.categories, of_model, of_network, data, *besides)))

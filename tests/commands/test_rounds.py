@@ -1,0 +1,93 @@
+"""One budget, spent in rounds: there is a domain after each, and interruptions change nothing."""
+
+import msgspec
+import pytest
+from command_line import neurosym, refusal
+from toy_learning import SHORTENED
+
+from neurosym.commands import pipeline
+from neurosym.files import read_json
+from neurosym.learning.training_config import REGIMES
+from neurosym.primitives.ledger import Ledger
+from neurosym.stages import layout
+
+RUN = ["--world", "toy", "--regime", "quick", "--seed", "3", "--workers", "1", "--problems", "0"]
+RUN += ["--object-bits", "1", "--action-bits", "2"]  # eight operators
+FILES = (layout.INTERACTIONS, layout.PRIMITIVES, layout.DOMAIN, layout.BUDGET, "places/operators.json")
+
+
+@pytest.fixture(autouse=True)
+def small(monkeypatch):
+    """Let rounds begin small, and training take a moment."""
+    monkeypatch.setattr(pipeline, "_FIRST", 350)
+    monkeypatch.setattr(pipeline, "_HELD", 100)
+    monkeypatch.setitem(REGIMES, "quick", SHORTENED)
+
+
+def spend(folder, count, *options):
+    return neurosym("run", folder, "--interactions", count, *RUN, *options)
+
+
+def contents(folder):
+    return {name: (folder / name).read_bytes() for name in FILES if (folder / name).exists()}
+
+
+def test_rounds_end_with_a_domain_each_and_never_exceed_the_budget(tmp_path, capsys):
+    assert spend(tmp_path / "whole", 900) == 0
+    said = capsys.readouterr().out
+    budget = read_json(tmp_path / "whole" / layout.BUDGET, pipeline.Budget)
+    assert len(budget.rounds) == 3  # 350, 700, 900
+    assert 800 <= budget.total <= 900
+    for number, rounds in enumerate(((1, 350), (2, 700), (3, 900)), 1):
+        done = pipeline.Budget(budget.rounds[: rounds[0]])
+        assert done.total <= rounds[1]
+        assert f"round {number} of 3: {done.total} interactions so far" in said
+    assert said.count("compile-domain: done") == 3
+    assert f"{budget.total} interactions: " in said
+
+
+def test_interrupted_and_continued_runs_end_with_the_same_bytes(tmp_path, monkeypatch):
+    assert spend(tmp_path / "whole", 700) == 0
+    wanted, inner, calls = contents(tmp_path / "whole"), Ledger.perform, []
+
+    def interrupted(*given, **options):
+        calls.append(1)
+        if len(calls) == 5:
+            raise KeyboardInterrupt
+        return inner(*given, **options)
+
+    monkeypatch.setattr(Ledger, "perform", interrupted)
+    assert spend(tmp_path / "broken", 700) != 0
+    assert spend(tmp_path / "broken", 700) == 0
+    assert contents(tmp_path / "broken") == wanted
+    assert spend(tmp_path / "begun", 350) == 0  # and more later
+    assert spend(tmp_path / "begun", 700) == 0
+    assert contents(tmp_path / "begun") == wanted
+    before = {path: path.stat().st_mtime_ns for path in (tmp_path / "whole").rglob("*")}
+    assert spend(tmp_path / "whole", 700) == 0
+    assert {path: path.stat().st_mtime_ns for path in (tmp_path / "whole").rglob("*")} == before
+
+
+def test_it_stops_where_nothing_more_is_worth_performing(tmp_path, monkeypatch, capsys):
+    spent = pipeline.Spent(explored=60, performed=10, budget=90)
+    assert pipeline.Budget(({"": spent},)).is_idle
+    assert not pipeline.Budget(({"": msgspec.structs.replace(spent, performed=85)},)).is_idle
+    monkeypatch.setattr(pipeline, "_IDLE", 1.1)
+    assert spend(tmp_path / "done", 400, "--places", 0) == 0
+    assert "no more is worth performing" in capsys.readouterr().out
+    assert len(read_json(tmp_path / "done" / layout.BUDGET, pipeline.Budget).rounds) == 1
+
+
+def test_what_cannot_be_spent_is_refused(tmp_path, capsys):
+    said = refusal(capsys, "run", tmp_path / "new", "--interactions", 50, *RUN)
+    assert "--interactions 50 are too few for 8 operators, which are to be seen 5 times each" in said
+    said = refusal(capsys, "run", tmp_path / "new", "--interactions", 500, "--steps", 200, *RUN)
+    assert "give one" in said
+
+
+def test_a_folder_that_was_explored_at_once_goes_on_as_it_was(tmp_path, capsys):
+    assert neurosym("run", tmp_path / "old", "--steps", 128, *RUN) == 0
+    capsys.readouterr()
+    assert neurosym("run", tmp_path / "old", *RUN) == 0
+    assert ": done" not in capsys.readouterr().out
+    assert not (tmp_path / "old" / layout.BUDGET).exists()
