@@ -5,9 +5,9 @@ All go the same way for each aim, in the world as the aim has it shown, with dat
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import msgspec
 import numpy as np
 
 from neurosym.checks import check_count
@@ -24,10 +24,10 @@ from neurosym.data.origin import (
     world_misfit,
 )
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted
-from neurosym.files import make_folder, read_json, write_json
+from neurosym.files import make_folder, write_json
 from neurosym.formats import PairFile, PlaceFile
 from neurosym.learning.training_config import PAIR_BITS, PLACE_BITS, STATE_BITS, Regime, regime_named
-from neurosym.operators import Primitive, counted_axes
+from neurosym.operators import OperatorTable, Primitive, counted_axes
 from neurosym.pair_operators import PairStates, describe_pair
 from neurosym.primitives.audition import CHOICES
 from neurosym.primitives.ledger import Ledger
@@ -74,6 +74,7 @@ class Aim:
         categories: The network that gives objects, or pairs, their symbols: a file of any aim.
         adapt: Has a world explored with such actions.
         stored: Makes of a table what its file holds.
+        chosen: Reads the actions from that file.
         origin: What the data say of it.
         learn: Learns what else there is to learn of the data; gives what goes into which file.
     """
@@ -91,6 +92,7 @@ class Aim:
     categories: str = layout.MODEL
     adapt: Callable[[DomainFolder, WorldFactory], WorldFactory] = lambda _, factory: factory
     stored: Callable[[Any], object] = lambda table: table
+    chosen: Callable[[Path], tuple[Primitive, ...]] = lambda path: OperatorTable.load(path).primitives
     origin: Mapping[str, Any] = field(default_factory=dict)
     learn: Callable[[DomainFolder, Interactions, Regime, int], dict[str, Any]] = lambda *_: {}
 
@@ -164,6 +166,7 @@ TO_PLACES = Aim(
     bits=PLACE_BITS,
     adapt=lambda _, factory: AimedFactory(factory),
     stored=PlaceFile.holding,
+    chosen=lambda path: PlaceFile.load(path).operators.primitives,
     origin={"reference": "place"},
 )
 TO_OBJECTS = Aim(
@@ -180,6 +183,7 @@ TO_OBJECTS = Aim(
     categories=layout.RELATION_MODEL,
     adapt=_with_known_motions,
     stored=PairFile.holding,
+    chosen=lambda path: PairFile.load(path).primitives,
     origin={"reference": "object", "proposed": True},
     learn=_learn_states,
 )
@@ -325,7 +329,7 @@ def distill_stage(
                     budget=budget,
                     seed=seed,
                     ledger=ledger_of(folder, aim, workers, performed),
-                    former=read_json(folder.require(aim.table), _Chosen).primitives if keeps_bits else (),
+                    former=aim.chosen(folder.require(aim.table)) if keeps_bits else (),
                     open_bar=progress_bar,
                 )
         except NothingDistilled as error:
@@ -338,12 +342,6 @@ def distill_stage(
     options |= {} if aim.folder else {"choice": choice}
     inputs = tuple(dict.fromkeys((layout.WORLD, aim.categories, of_model, of_network, data, *besides)))
     return Stage(aim.stage("distill"), inputs, (aim.table,), work, options, Claim.ALONE)
-
-
-class _Chosen(msgspec.Struct):
-    """What every file of operators has, whatever they are aimed at."""
-
-    primitives: tuple[Primitive, ...]
 
 
 def ledger_of(folder: DomainFolder, aim: Aim, workers: int = 1, free: int = 0) -> Ledger:

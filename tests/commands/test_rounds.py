@@ -1,9 +1,11 @@
 """One budget, spent in rounds: there is a domain after each, and interruptions change nothing."""
 
+from dataclasses import replace
+
 import msgspec
 import pytest
 from command_line import neurosym, refusal
-from toy_learning import SHORTENED
+from toy_learning import BRIEF, SMALL
 
 from neurosym.commands import pipeline
 from neurosym.files import read_json
@@ -11,8 +13,22 @@ from neurosym.learning.training_config import REGIMES
 from neurosym.primitives.ledger import Ledger
 from neurosym.stages import layout
 
-RUN = ["--world", "toy", "--regime", "quick", "--seed", "3", "--workers", "1", "--problems", "0"]
+RUN = [
+    "--world",
+    "toy",
+    "--regime",
+    "quick",
+    "--seed",
+    "3",
+    "--workers",
+    "1",
+    "--problems",
+    "0",
+    "--strategy",
+    "random",
+]
 RUN += ["--object-bits", "1", "--action-bits", "2"]  # eight operators
+FOR_OBJECTS = ["--places", 0]
 FILES = (layout.INTERACTIONS, layout.PRIMITIVES, layout.DOMAIN, layout.BUDGET, "places/operators.json")
 
 
@@ -21,7 +37,9 @@ def small(monkeypatch):
     """Let rounds begin small, and training take a moment."""
     monkeypatch.setattr(pipeline, "_FIRST", 350)
     monkeypatch.setattr(pipeline, "_HELD", 100)
-    monkeypatch.setitem(REGIMES, "quick", SHORTENED)
+    naming = replace(BRIEF.naming, steps=100)  # so that there are actions with most codes
+    brief = replace(REGIMES["quick"], model=SMALL, training=replace(BRIEF, naming=naming))
+    monkeypatch.setitem(REGIMES, "quick", brief)
 
 
 def spend(folder, count, *options):
@@ -47,7 +65,7 @@ def test_rounds_end_with_a_domain_each_and_never_exceed_the_budget(tmp_path, cap
 
 
 def test_interrupted_and_continued_runs_end_with_the_same_bytes(tmp_path, monkeypatch):
-    assert spend(tmp_path / "whole", 700) == 0
+    assert spend(tmp_path / "whole", 700, *FOR_OBJECTS) == 0
     wanted, inner, calls = contents(tmp_path / "whole"), Ledger.perform, []
 
     def interrupted(*given, **options):
@@ -57,14 +75,14 @@ def test_interrupted_and_continued_runs_end_with_the_same_bytes(tmp_path, monkey
         return inner(*given, **options)
 
     monkeypatch.setattr(Ledger, "perform", interrupted)
-    assert spend(tmp_path / "broken", 700) != 0
-    assert spend(tmp_path / "broken", 700) == 0
+    assert spend(tmp_path / "broken", 700, *FOR_OBJECTS) != 0
+    assert spend(tmp_path / "broken", 700, *FOR_OBJECTS) == 0
     assert contents(tmp_path / "broken") == wanted
-    assert spend(tmp_path / "begun", 350) == 0  # and more later
-    assert spend(tmp_path / "begun", 700) == 0
+    assert spend(tmp_path / "begun", 350, *FOR_OBJECTS) == 0  # and more later
+    assert spend(tmp_path / "begun", 700, *FOR_OBJECTS) == 0
     assert contents(tmp_path / "begun") == wanted
     before = {path: path.stat().st_mtime_ns for path in (tmp_path / "whole").rglob("*")}
-    assert spend(tmp_path / "whole", 700) == 0
+    assert spend(tmp_path / "whole", 700, *FOR_OBJECTS) == 0
     assert {path: path.stat().st_mtime_ns for path in (tmp_path / "whole").rglob("*")} == before
 
 
