@@ -257,7 +257,7 @@ def _rounds(
 def _share(count: int, most: int) -> Share:
     """Split what an aim gets; whole blocks are explored if there are enough, since only these are kept."""
     explored = int(_EXPLORED * count)
-    if count >= 2 * _BLOCK:
+    if count > _BLOCK:
         explored = max(1, round(explored / _BLOCK)) * _BLOCK
     explored = min(explored, most)
     return Share(explored, count - explored)
