@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-planners evaluate-foreign evaluate-scale evaluate-studio faults tutorial architecture pictures films docs clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-budget evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-planners evaluate-foreign evaluate-scale evaluate-studio faults tutorial architecture pictures films docs clean
 
 install: $(VENV)/.installed
 
@@ -56,6 +56,10 @@ fuzz: install
 SCALE ?= 1.0
 evaluate-world: install
 	$(BIN)/python -m tools.benchmarks.world.evaluate --scale $(SCALE)
+
+# What plans can do by all interactions they cost, into docs/results/budget.*; goes on where it was interrupted.
+evaluate-budget: install
+	$(BIN)/python -m tools.benchmarks.budget.evaluate
 
 # Every figure of docs/learning.md, into docs/results/; goes on where it was interrupted. SEEDS=1 is the short form.
 SEEDS ?= 5

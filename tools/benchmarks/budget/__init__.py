@@ -1,0 +1,1 @@
+"""What plans can do by how many interactions they cost in all (docs/results/budget.md)."""
