@@ -71,12 +71,16 @@ class Regression:
 
     def chance(self, at: Float[np.ndarray, "F"], tolerance: float) -> float:
         """Estimate how often an object of such features ends as promised, within a tolerance of it [m]."""
+        return float(self.chances(at[None], tolerance)[0])
+
+    def chances(self, at: Float[np.ndarray, "M F"], tolerance: float) -> Float[np.ndarray, "M"]:
+        """Estimate the same for several objects; see `chance`."""
         kept = np.zeros(len(self.objects))
         kept[self.is_kind] = self.keeps(tolerance)
         deciding = np.array(self.choice.deciding)
-        apart = _apart(self.objects * deciding, at[None] * deciding)
+        apart = _apart(self.objects * deciding, at * deciding)
         (last,) = _nearest(apart, (self.choice.neighbours,))
-        return float(_chances(apart, kept, last)[0])
+        return _chances(apart, kept, last)
 
     def spreads(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
         """Estimate by how much predictions for such objects miss where the promise is kept, RMS [m]."""

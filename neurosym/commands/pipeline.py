@@ -1,6 +1,6 @@
 """The command `neurosym run`: the whole way in one call, doing nothing twice.
 
-One budget of interactions is spent in rounds, each twice as large as all before it. In a round the robot
+One budget of interactions is spent in rounds, each as large as all before it. In a round the robot
 explores, the networks learn from all that was performed, and the rest goes to candidates and operators where
 it is worth most. So there is a domain to plan with after each round, and a better one after the next.
 """
@@ -64,7 +64,9 @@ _LEAST_STEPS = 1024
 _SEEN = 5
 """So often an operator is to be seen at least, on average."""
 _FIRST = 2000
-"""Interactions of the first round, for all aims together."""
+"""Interactions of the first round, for each aim."""
+_WORTH_A_ROUND = 1.6
+"""A round is worth it if the budget is so many times as large as it, at least."""
 _BUDGETS = 6, 4, 5
 """How the budget is shared by objects, places and other objects, if all are asked for."""
 _EACH = 1000
@@ -246,20 +248,23 @@ def _rounds(
                 f"--interactions {ceiling} are too few for {operators} operators{of}, which are to be seen "
                 f"{_SEEN} times each; give at least {least}, or fewer bits."
             )
-    totals = [_FIRST << n for n in range(ceiling.bit_length()) if _FIRST << n < ceiling]
-    every = sum(weights.values())
-    return [
-        {name: _share(total * weight // every, most[name]) for name, weight in weights.items()}
-        for total in [*totals, ceiling]
-    ]
+    every, first = sum(weights.values()), _FIRST * len(weights)
+    doubled = (first << number for number in range(ceiling.bit_length()))
+    totals = [total for total in doubled if _WORTH_A_ROUND * total <= ceiling]
+    plan = list[Round]()
+    for total in [*totals, ceiling]:
+        last = plan[-1] if plan else dict.fromkeys(weights, Share(0, 0))
+        split = {name: total * weight // every for name, weight in weights.items()}
+        plan.append({name: _share(n, most[name], last[name]) for name, n in split.items()})
+    return plan
 
 
-def _share(count: int, most: int) -> Share:
+def _share(count: int, most: int, last: Share) -> Share:
     """Split what an aim gets; whole blocks are explored if there are enough, since only these are kept."""
-    explored = int(_EXPLORED * count)
-    if count > _BLOCK:
-        explored = max(1, round(explored / _BLOCK)) * _BLOCK
-    explored = min(explored, most)
+    explored = _EXPLORED * count
+    if count > 2 * _BLOCK:
+        explored = round(explored / _BLOCK) * _BLOCK
+    explored = max(last.explored, min(int(explored), most, count - last.budget))
     return Share(explored, count - explored)
 
 

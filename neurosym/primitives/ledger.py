@@ -53,6 +53,7 @@ class Ledger:
     free: int = 0
     _asked: set[bytes] = field(default_factory=set, init=False)
     _paid: frozenset[bytes] = field(default=frozenset(), init=False)
+    _objects: list[dict[str, np.ndarray]] = field(default_factory=list, init=False)
     _rows: dict[bytes, tuple[str, np.ndarray, Outcome]] = field(default_factory=dict, init=False)
 
     def __post_init__(self) -> None:
@@ -121,7 +122,8 @@ class Ledger:
         if self.path is None:
             return
         purposes, actions, outcomes = zip(*self._rows.values(), strict=True)
-        names, objects = sorted(set(purposes)), [_objects(one) for one in outcomes]
+        names = sorted(set(purposes))
+        self._objects += map(_objects, outcomes[len(self._objects) :])
         tensors = {
             "keys": np.frombuffer(b"".join(self._rows), dtype=np.uint8).reshape(-1, _KEY),
             "purposes": np.array([names.index(one) for one in purposes], dtype=np.uint8),
@@ -131,7 +133,7 @@ class Ledger:
             "references": np.array([_reference(one) for one in outcomes]),
             "flags": np.array([[getattr(one, name) for name in _FLAGS] for one in outcomes], dtype=np.uint8),
             "peaks": np.array([one.peak_height for one in outcomes]),
-            **{name: np.concatenate([one[name] for one in objects]) for name in objects[0]},
+            **{name: np.concatenate([one[name] for one in self._objects]) for name in _OBJECT_COLUMNS},
         }
         with at_once():
             write_tensors(self.path, FORMAT, tensors, {"of": self.of, "purposes": names})

@@ -80,8 +80,7 @@ def chances_of(
     regression = _regression(operator, category)
     if regression is None:
         return None
-    scaled = (features - regression.centre) / regression.scale
-    return np.array([regression.chance(at, tolerance) for at in scaled])
+    return regression.chances((features - regression.centre) / regression.scale, tolerance)
 
 
 def is_rehearsed(category: Category, features: Sequence[float]) -> bool:

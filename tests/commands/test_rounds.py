@@ -35,7 +35,7 @@ FILES = (layout.INTERACTIONS, layout.PRIMITIVES, layout.DOMAIN, layout.BUDGET, "
 @pytest.fixture(autouse=True)
 def small(monkeypatch):
     """Let rounds begin small, and training take a moment."""
-    monkeypatch.setattr(pipeline, "_FIRST", 350)
+    monkeypatch.setattr(pipeline, "_FIRST", 175)
     monkeypatch.setattr(pipeline, "_HELD", 100)
     naming = replace(BRIEF.naming, steps=100)  # so that there are actions with most codes
     brief = replace(REGIMES["quick"], model=SMALL, training=replace(BRIEF, naming=naming))
@@ -51,12 +51,12 @@ def contents(folder):
 
 
 def test_rounds_end_with_a_domain_each_and_never_exceed_the_budget(tmp_path, capsys):
-    assert spend(tmp_path / "whole", 900) == 0
+    assert spend(tmp_path / "whole", 1200) == 0
     said = capsys.readouterr().out
     budget = read_json(tmp_path / "whole" / layout.BUDGET, pipeline.Budget)
-    assert len(budget.rounds) == 3  # 350, 700, 900
-    assert 800 <= budget.total <= 900
-    for number, rounds in enumerate(((1, 350), (2, 700), (3, 900)), 1):
+    assert len(budget.rounds) == 3  # 350, 700, 1200
+    assert 1000 <= budget.total <= 1200
+    for number, rounds in enumerate(((1, 350), (2, 700), (3, 1200)), 1):
         done = pipeline.Budget(budget.rounds[: rounds[0]])
         assert done.total <= rounds[1]
         assert f"round {number} of 3: {done.total} interactions so far" in said
@@ -65,7 +65,7 @@ def test_rounds_end_with_a_domain_each_and_never_exceed_the_budget(tmp_path, cap
 
 
 def test_interrupted_and_continued_runs_end_with_the_same_bytes(tmp_path, monkeypatch):
-    assert spend(tmp_path / "whole", 700, *FOR_OBJECTS) == 0
+    assert spend(tmp_path / "whole", 350, *FOR_OBJECTS) == 0
     wanted, inner, calls = contents(tmp_path / "whole"), Ledger.perform, []
 
     def interrupted(*given, **options):
@@ -75,14 +75,14 @@ def test_interrupted_and_continued_runs_end_with_the_same_bytes(tmp_path, monkey
         return inner(*given, **options)
 
     monkeypatch.setattr(Ledger, "perform", interrupted)
-    assert spend(tmp_path / "broken", 700, *FOR_OBJECTS) != 0
-    assert spend(tmp_path / "broken", 700, *FOR_OBJECTS) == 0
+    assert spend(tmp_path / "broken", 350, *FOR_OBJECTS) != 0
+    assert spend(tmp_path / "broken", 350, *FOR_OBJECTS) == 0
     assert contents(tmp_path / "broken") == wanted
-    assert spend(tmp_path / "begun", 350, *FOR_OBJECTS) == 0  # and more later
-    assert spend(tmp_path / "begun", 700, *FOR_OBJECTS) == 0
+    assert spend(tmp_path / "begun", 175, *FOR_OBJECTS) == 0  # and more later
+    assert spend(tmp_path / "begun", 350, *FOR_OBJECTS) == 0
     assert contents(tmp_path / "begun") == wanted
     before = {path: path.stat().st_mtime_ns for path in (tmp_path / "whole").rglob("*")}
-    assert spend(tmp_path / "whole", 700, *FOR_OBJECTS) == 0
+    assert spend(tmp_path / "whole", 350, *FOR_OBJECTS) == 0
     assert {path: path.stat().st_mtime_ns for path in (tmp_path / "whole").rglob("*")} == before
 
 
