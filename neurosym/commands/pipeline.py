@@ -5,11 +5,9 @@ explores, the networks learn from all that was performed, and the rest goes to c
 it is worth most. So there is a domain to plan with after each round, and a better one after the next.
 """
 
-import math
 from collections.abc import Callable, Sequence
-from typing import Annotated, Any, NamedTuple, Optional
+from typing import Annotated, Any, Optional
 
-import msgspec
 from tyro.conf import arg
 
 from neurosym.choices import BUDGET, CELL, DEFAULT_STRATEGY
@@ -50,6 +48,7 @@ from neurosym.stages.learning import (
 from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
+from neurosym.stages.rounds import HELD, Budget, Round, Share, Spent, at_least, budget_of, rounds
 from neurosym.stages.verdicts import Tries, judge_domain, judge_training, judge_tries, worst
 from neurosym.world import World, references_of
 from neurosym.worlds.world_file import read_world
@@ -61,58 +60,6 @@ _PLACES_FOR = 4
 """With --steps, for so many there is one that is aimed at a place, if the user does not say how many."""
 _LEAST_STEPS = 1024
 """From so few steps nothing is learned of places, unless the user says so."""
-_SEEN = 5
-"""So often an operator is to be seen at least, on average."""
-_FIRST = 2000
-"""Interactions of the first round, for each aim."""
-_WORTH_A_ROUND = 1.6
-"""A round is worth it if the budget is so many times as large as it, at least."""
-_BUDGETS = 6, 4, 5
-"""How the budget is shared by objects, places and other objects, if all are asked for."""
-_EACH = 1000
-"""So many interactions of a share there are at most, if the user does not say how many."""
-_EXPLORED = 0.4
-"""Share of the interactions of each round that explore."""
-_MOST_EXPLORED = 4096
-"""More are not explored for one aim: what is known then is better asked of operators."""
-_BLOCK = 512
-"""So many interactions are explored between two updates of the networks."""
-_HELD = 1024
-"""Bits that were learned from so many explored interactions stay what they are."""
-_IDLE = 0.9
-"""A round that finds worthwhile performances for less than this share of its budget is the last."""
-
-
-class Spent(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What one aim had of a round.
-
-    Attributes:
-        explored: Interactions explored so far.
-        performed: Interactions performed so far to choose and measure operators.
-        budget: How many these might be.
-    """
-
-    explored: int
-    performed: int
-    budget: int
-
-
-class Budget(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What the rounds that are done were spent on, by what was aimed at."""
-
-    rounds: tuple[dict[str, Spent], ...] = ()
-
-    @property
-    def total(self) -> int:
-        """All interactions that were performed, whatever for."""
-        last = self.rounds[-1] if self.rounds else {}
-        return sum(one.explored + one.performed for one in last.values())
-
-    @property
-    def is_idle(self) -> bool:
-        """Whether the last round found too little that was worth performing."""
-        last = [*self.rounds[-1].values()] if self.rounds else []
-        return bool(last) and all(one.performed < _IDLE * one.budget for one in last)
 
 
 def run(
@@ -166,7 +113,7 @@ def run(
         steps = _explored(domain)
     known = read_world(domain.require(layout.WORLD))()
     operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
-    plan = _rounds(domain, known, interactions, steps, places, relations, operators)
+    plan = _plan(domain, known, interactions, steps, places, relations, operators)
     fitting: dict[str, Any] = {"seed": seed, "regime": regime}
     exploring: dict[str, Any] = {**fitting, "strategy": strategy, "workers": workers}
     distilling: dict[str, Any] = {"objects": rehearsals, "choice": choice, "seed": seed, "workers": workers}
@@ -174,8 +121,9 @@ def run(
     def learn(aim: Aim, share: Share, before: Spent | None) -> Spent:
         """Explore, train and distil for an aim, as far as its share of a round goes."""
         own = bits if aim is OBJECTS else {}
-        held = before is not None and min(share.explored, before.explored) >= _HELD
-        taught = before.performed if before else 0
+        held = before is not None and min(share.explored, before.explored) >= HELD
+        there = len(ledger_of(domain, aim)) if before else 0  # none if another version performed it
+        taught = min(before.performed, there) if before else 0
         for stage in (
             explore_stage(domain, aim, steps=share.explored, **exploring, **own),
             train_stage(domain, aim, performed=taught, keeps_bits=held, **fitting, **own),
@@ -207,65 +155,27 @@ def _explored(folder: DomainFolder) -> int | None:
     return len(Interactions.load(path)) if path.is_file() else None
 
 
-class Share(NamedTuple):
-    """What an aim gets of a round: interactions to explore, and to choose and measure operators, so far."""
-
-    explored: int
-    budget: int
-
-
-Round = dict[str, Share]
-"""Shares by the folder of the aim."""
-
-
-def _rounds(
+def _plan(
     folder: DomainFolder,
     world: World,
     interactions: int | None,
     steps: int | None,
     places: int | None,
     relations: int,
-    counts: Sequence[int],
+    operators: Sequence[int],
 ) -> list[Round]:
-    """Say how much each aim gets in each round, all rounds before it included.
-
-    There are so many operators of objects, and of places.
-    """
+    """Say how much each aim gets in each round; the number of operators is that of objects, and of places."""
     if steps is not None:
         explored = _counts(folder, world, steps, places, relations)
         return [{aim.folder: Share(n, BUDGET) for aim, n in zip(AIMS, explored, strict=True) if n}]
     takes = "place" in references_of(world)
     asked = True, takes if places is None else places > 0, relations > 0
     _check_aims(folder, world, asked[1], asked[2])
-    weights = {aim.folder: _BUDGETS[n] for n, aim in enumerate(AIMS) if asked[n]}
-    most = {"": _MOST_EXPLORED, layout.PLACES: places or _MOST_EXPLORED, layout.RELATIONS: relations}
-    ceiling = _EACH * sum(weights.values()) if interactions is None else interactions
-    for (name, weight), operators in zip(weights.items(), counts, strict=False):
-        least = math.ceil(_SEEN * operators * sum(weights.values()) / weight / (1 - _EXPLORED))
-        if ceiling < least:
-            of = f" of {name}" if name else ""
-            raise InvalidValue(
-                f"--interactions {ceiling} are too few for {operators} operators{of}, which are to be seen "
-                f"{_SEEN} times each; give at least {least}, or fewer bits."
-            )
-    every, first = sum(weights.values()), _FIRST * len(weights)
-    doubled = (first << number for number in range(ceiling.bit_length()))
-    totals = [total for total in doubled if _WORTH_A_ROUND * total <= ceiling]
-    plan = list[Round]()
-    for total in [*totals, ceiling]:
-        last = plan[-1] if plan else dict.fromkeys(weights, Share(0, 0))
-        split = {name: total * weight // every for name, weight in weights.items()}
-        plan.append({name: _share(n, most[name], last[name]) for name, n in split.items()})
-    return plan
-
-
-def _share(count: int, most: int, last: Share) -> Share:
-    """Split what an aim gets; whole blocks are explored if there are enough, since only these are kept."""
-    explored = _EXPLORED * count
-    if count > 2 * _BLOCK:
-        explored = round(explored / _BLOCK) * _BLOCK
-    explored = max(last.explored, min(int(explored), most, count - last.budget))
-    return Share(explored, count - explored)
+    aims = [aim.folder for aim, is_asked in zip(AIMS, asked, strict=True) if is_asked]
+    least = dict(zip((layout.OBJECTS, layout.PLACES), operators, strict=True))
+    return rounds(
+        interactions, aims, most={layout.PLACES: places, layout.RELATIONS: relations}, operators=least
+    )
 
 
 def _spend(
@@ -276,10 +186,12 @@ def _spend(
     is_open: bool,
 ) -> None:
     """Go on with the rounds that are not done yet, as long as they find what is worth performing."""
-    budget = _budget(folder) if is_open else Budget()
+    budget = budget_of(folder) if is_open else Budget()
+    if is_open and not (folder / layout.BUDGET).exists():
+        write_json(folder / layout.BUDGET, budget)  # it says that there are rounds
     for number, asked in enumerate(plan, 1):
         before = budget.rounds[-1] if budget.rounds else {}
-        shares = {name: _at_least(share, before.get(name)) for name, share in asked.items()}
+        shares = {name: at_least(share, before.get(name)) for name, share in asked.items()}
         done = {name: Share(one.explored, one.budget) for name, one in before.items()}
         if shares == done != asked:
             continue  # rounds of an earlier call
@@ -302,22 +214,10 @@ def _spend(
         )
         if is_open:
             budget = Budget((*budget.rounds, spent))
-            if budget != _budget(folder):
+            if budget != budget_of(folder):
                 write_json(folder / layout.BUDGET, budget)
             can = judge_domain(_grounding(folder)).lines[0]
             say(f"round {number} of {len(plan)}: {counted(budget.total, 'interaction')} so far; {can}")
-
-
-def _at_least(share: Share, spent: Spent | None) -> Share:
-    """Return a share that is not smaller than what was spent already."""
-    if spent is None:
-        return share
-    return Share(max(share.explored, spent.explored), max(share.budget, spent.budget))
-
-
-def _budget(folder: DomainFolder) -> Budget:
-    path = folder / layout.BUDGET
-    return read_json(path, Budget) if path.is_file() else Budget()
 
 
 def _grounding(folder: DomainFolder) -> Grounding:

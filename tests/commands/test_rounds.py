@@ -11,7 +11,7 @@ from neurosym.commands import pipeline
 from neurosym.files import read_json
 from neurosym.learning.training_config import REGIMES
 from neurosym.primitives.ledger import Ledger
-from neurosym.stages import layout
+from neurosym.stages import layout, rounds
 
 RUN = [
     "--world",
@@ -35,8 +35,8 @@ FILES = (layout.INTERACTIONS, layout.PRIMITIVES, layout.DOMAIN, layout.BUDGET, "
 @pytest.fixture(autouse=True)
 def small(monkeypatch):
     """Let rounds begin small, and training take a moment."""
-    monkeypatch.setattr(pipeline, "_FIRST", 175)
-    monkeypatch.setattr(pipeline, "_HELD", 100)
+    monkeypatch.setattr(rounds, "_FIRST", 175)
+    monkeypatch.setattr(pipeline, "HELD", 100)
     naming = replace(BRIEF.naming, steps=100)  # so that there are actions with most codes
     brief = replace(REGIMES["quick"], model=SMALL, training=replace(BRIEF, naming=naming))
     monkeypatch.setitem(REGIMES, "quick", brief)
@@ -53,12 +53,12 @@ def contents(folder):
 def test_rounds_end_with_a_domain_each_and_never_exceed_the_budget(tmp_path, capsys):
     assert spend(tmp_path / "whole", 1200) == 0
     said = capsys.readouterr().out
-    budget = read_json(tmp_path / "whole" / layout.BUDGET, pipeline.Budget)
+    budget = read_json(tmp_path / "whole" / layout.BUDGET, rounds.Budget)
     assert len(budget.rounds) == 3  # 350, 700, 1200
     assert 1000 <= budget.total <= 1200
-    for number, rounds in enumerate(((1, 350), (2, 700), (3, 1200)), 1):
-        done = pipeline.Budget(budget.rounds[: rounds[0]])
-        assert done.total <= rounds[1]
+    for number, (count, most) in enumerate(((1, 350), (2, 700), (3, 1200)), 1):
+        done = rounds.Budget(budget.rounds[:count])
+        assert done.total <= most
         assert f"round {number} of 3: {done.total} interactions so far" in said
     assert said.count("compile-domain: done") == 3
     assert f"{budget.total} interactions: " in said
@@ -76,6 +76,7 @@ def test_interrupted_and_continued_runs_end_with_the_same_bytes(tmp_path, monkey
 
     monkeypatch.setattr(Ledger, "perform", interrupted)
     assert spend(tmp_path / "broken", 350, *FOR_OBJECTS) != 0
+    assert read_json(tmp_path / "broken" / layout.BUDGET, rounds.Budget) == rounds.Budget()
     assert spend(tmp_path / "broken", 350, *FOR_OBJECTS) == 0
     assert contents(tmp_path / "broken") == wanted
     assert spend(tmp_path / "begun", 175, *FOR_OBJECTS) == 0  # and more later
@@ -87,13 +88,13 @@ def test_interrupted_and_continued_runs_end_with_the_same_bytes(tmp_path, monkey
 
 
 def test_it_stops_where_nothing_more_is_worth_performing(tmp_path, monkeypatch, capsys):
-    spent = pipeline.Spent(explored=60, performed=10, budget=90)
-    assert pipeline.Budget(({"": spent},)).is_idle
-    assert not pipeline.Budget(({"": msgspec.structs.replace(spent, performed=85)},)).is_idle
-    monkeypatch.setattr(pipeline, "_IDLE", 1.1)
+    spent = rounds.Spent(explored=60, performed=10, budget=90)
+    assert rounds.Budget(({"": spent},)).is_idle
+    assert not rounds.Budget(({"": msgspec.structs.replace(spent, performed=85)},)).is_idle
+    monkeypatch.setattr(rounds, "_IDLE", 1.1)
     assert spend(tmp_path / "done", 400, "--places", 0) == 0
     assert "no more is worth performing" in capsys.readouterr().out
-    assert len(read_json(tmp_path / "done" / layout.BUDGET, pipeline.Budget).rounds) == 1
+    assert len(read_json(tmp_path / "done" / layout.BUDGET, rounds.Budget).rounds) == 1
 
 
 def test_what_cannot_be_spent_is_refused(tmp_path, capsys):

@@ -12,9 +12,10 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from neurosym.commands.pipeline import Budget, run
+from neurosym.commands.pipeline import run
 from neurosym.files import read_json
 from neurosym.stages import layout
+from neurosym.stages.rounds import Budget
 from tools.benchmarks import options
 from tools.benchmarks.budget.summary import STAGES, TOTALS, WAYS, Cell, domain_name, page, summarise
 from tools.benchmarks.carrying.tasks import far
