@@ -108,11 +108,14 @@ def run(
     chosen = regime_named(regime).model.with_bits(**bits)
     if steps is not None and interactions is not None:
         raise InvalidValue("--steps explores at once, and --interactions is a budget for rounds; give one.")
+    operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
+    rounds(
+        interactions, (layout.OBJECTS,), operators={layout.OBJECTS: operators[0]}
+    )  # before a folder is made
     domain = _begun(folder, world, steps)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = _explored(domain)
     known = read_world(domain.require(layout.WORLD))()
-    operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
     plan = _plan(domain, known, interactions, steps, places, relations, operators)
     fitting: dict[str, Any] = {"seed": seed, "regime": regime}
     exploring: dict[str, Any] = {**fitting, "strategy": strategy, "workers": workers}

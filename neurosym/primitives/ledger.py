@@ -119,7 +119,7 @@ class Ledger:
 
     def _write(self) -> None:
         """Write all outcomes: a row for each, and a row for each object of each."""
-        if self.path is None:
+        if self.path is None or not self._rows:
             return
         purposes, actions, outcomes = zip(*self._rows.values(), strict=True)
         names = sorted(set(purposes))

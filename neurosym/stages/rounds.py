@@ -2,7 +2,8 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import Annotated, NamedTuple
 
 import msgspec
 
@@ -33,6 +34,9 @@ _IDLE = 0.9
 """A round that finds worthwhile performances for less than this share of its budget is the last."""
 
 
+Count = Annotated[int, msgspec.Meta(ge=0)]
+
+
 class Spent(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What one aim had of a round.
 
@@ -42,9 +46,9 @@ class Spent(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         budget: How many these might be.
     """
 
-    explored: int
-    performed: int
-    budget: int
+    explored: Count
+    performed: Count
+    budget: Count
 
 
 class Budget(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -80,16 +84,16 @@ def rounds(
     ceiling: int | None,
     aims: Sequence[str],
     *,
-    most: Mapping[str, int | None],
     operators: Mapping[str, int],
+    most: Mapping[str, int | None] = MappingProxyType({}),
 ) -> list[Round]:
     """Say how much each aim gets in each round, all rounds before it included.
 
     Args:
         ceiling: How many interactions there may be in all; as many as are usual for these aims if None.
         aims: Their folders.
-        most: How many explore at most, where it is said.
         operators: How many operators there are, where it is known.
+        most: How many interactions explore at most, where it is said.
 
     Raises:
         InvalidValue: If so few interactions are of no use.

@@ -97,11 +97,16 @@ def test_it_stops_where_nothing_more_is_worth_performing(tmp_path, monkeypatch, 
     assert len(read_json(tmp_path / "done" / layout.BUDGET, rounds.Budget).rounds) == 1
 
 
-def test_what_cannot_be_spent_is_refused(tmp_path, capsys):
+def test_what_cannot_be_spent_is_refused_and_so_is_a_damaged_record(tmp_path, capsys):
     said = refusal(capsys, "run", tmp_path / "new", "--interactions", 50, *RUN)
     assert "--interactions 50 are too few for 8 operators, which are to be seen 5 times each" in said
     said = refusal(capsys, "run", tmp_path / "new", "--interactions", 500, "--steps", 200, *RUN)
     assert "give one" in said
+    assert not (tmp_path / "new").exists()
+    assert neurosym("init", tmp_path / "new", "--world", "toy") == 0
+    (tmp_path / "new" / layout.BUDGET).write_text('{"rounds": [{"": {"explored": -1}}]}')
+    said = refusal(capsys, "run", tmp_path / "new", "--interactions", 500, *RUN)
+    assert f"{layout.BUDGET} cannot be used" in said
 
 
 def test_a_folder_that_was_explored_at_once_goes_on_as_it_was(tmp_path, capsys):
