@@ -16,7 +16,7 @@ from neurosym.sim.config import (
     pybullet,
 )
 from neurosym.sim.interaction import _landing_shift
-from neurosym.sim.simulation import sample_features, sample_scene
+from neurosym.sim.simulation import Simulation, sample_features, sample_scene
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import Outcome, Scene
 
@@ -54,6 +54,28 @@ def test_end_of_an_interaction_is_at_rest_when_it_starts_the_next():
     outcome = perform(boxes((0.05, 0.05, 0.05, 0, 0.65, 0.0)), LEFT)
     following = perform(outcome.end, LIFT)
     assert np.abs(following.start.positions - outcome.end.positions).max() < 5e-4
+
+
+def test_free_motion_is_not_simulated_and_ends_as_if_it_were(monkeypatch):
+    above, push = [0, 0, 0.2, OPEN, 0.05, 0, 0.2, OPEN, 0, 0, 0.2, CLOSED], LEFT
+    scene, steps = boxes((0.05, 0.05, 0.05, 0, 0.65, 0.0)), []
+    inner = Simulation.step
+
+    def counted(simulation):
+        steps.append(simulation.ticks)
+        inner(simulation)
+
+    monkeypatch.setattr(Simulation, "step", counted)
+    perform(scene, above)
+    assert len(steps) < 0.25 * steps[-1], "only settling is simulated"
+    steps.clear()
+    skipped = perform(scene, push)
+    few = len(steps)
+    monkeypatch.setattr("neurosym.sim.robot.CLEARANCE", 10.0)  # everything is near
+    steps.clear()
+    whole = perform(scene, push)
+    assert few < 0.7 * len(steps)
+    assert np.abs(skipped.end.positions - whole.end.positions).max() < 1e-3
 
 
 @pytest.mark.parametrize("target", [0, 1])
