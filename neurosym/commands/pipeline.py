@@ -202,7 +202,7 @@ def _spend(
             budget = Budget(budget.rounds[:-1])
             before = budget.rounds[-1] if budget.rounds else {}
         if budget.is_idle:
-            say("no more is worth performing by what is known; --steps explores more at once")
+            say("the last round found too little that was worth performing, so this is the end")
             break
         aims = [aim for aim in AIMS if aim.folder in shares]
         spent = {aim.folder: learn(aim, shares[aim.folder], before.get(aim.folder)) for aim in aims}

@@ -93,7 +93,7 @@ def test_it_stops_where_nothing_more_is_worth_performing(tmp_path, monkeypatch, 
     assert not rounds.Budget(({"": msgspec.structs.replace(spent, performed=85)},)).is_idle
     monkeypatch.setattr(rounds, "_IDLE", 1.1)
     assert spend(tmp_path / "done", 400, "--places", 0) == 0
-    assert "no more is worth performing" in capsys.readouterr().out
+    assert "found too little that was worth performing" in capsys.readouterr().out
     assert len(read_json(tmp_path / "done" / layout.BUDGET, rounds.Budget).rounds) == 1
 
 
