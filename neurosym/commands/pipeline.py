@@ -109,9 +109,8 @@ def run(
     if steps is not None and interactions is not None:
         raise InvalidValue("--steps explores at once, and --interactions is a budget for rounds; give one.")
     operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
-    rounds(
-        interactions, (layout.OBJECTS,), operators={layout.OBJECTS: operators[0]}
-    )  # before a folder is made
+    if interactions is not None:  # refuse too few before a folder is made
+        rounds(interactions, (layout.OBJECTS,), operators={layout.OBJECTS: operators[0]})
     domain = _begun(folder, world, steps)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = _explored(domain)

@@ -109,6 +109,12 @@ def test_what_cannot_be_spent_is_refused_and_so_is_a_damaged_record(tmp_path, ca
     assert f"{layout.BUDGET} cannot be used" in said
 
 
+def test_exploring_at_once_needs_no_budget_for_its_bits(tmp_path, capsys):
+    many = ["--object-bits", 6, "--action-bits", 8]
+    said = refusal(capsys, "run", tmp_path / "many", "--world", "nowhere", "--steps", 200, *many)
+    assert "too few" not in said
+
+
 def test_a_folder_that_was_explored_at_once_goes_on_as_it_was(tmp_path, capsys):
     assert neurosym("run", tmp_path / "old", "--steps", 128, *RUN) == 0
     capsys.readouterr()

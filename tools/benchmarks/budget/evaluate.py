@@ -13,8 +13,11 @@ from pathlib import Path
 from typing import Any
 
 from neurosym.commands.pipeline import run
+from neurosym.data.interactions import Interactions
 from neurosym.files import read_json
 from neurosym.stages import layout
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.learning import OBJECTS, ledger_of
 from neurosym.stages.rounds import Budget
 from tools.benchmarks import options
 from tools.benchmarks.budget.summary import STAGES, TOTALS, WAYS, Cell, domain_name, page, summarise
@@ -82,10 +85,6 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
 
 def _spent(folder: Path) -> int:
     """Count what stages in a row explored and performed."""
-    from neurosym.data.interactions import Interactions
-    from neurosym.stages.folder import DomainFolder
-    from neurosym.stages.learning import OBJECTS, ledger_of
-
     return len(Interactions.load(folder / layout.INTERACTIONS)) + len(
         ledger_of(DomainFolder(folder), OBJECTS)
     )
