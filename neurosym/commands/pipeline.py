@@ -5,6 +5,7 @@ explores, the networks learn from all that was performed, and the rest goes to c
 it is worth most. So there is a domain to plan with after each round, and a better one after the next.
 """
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Optional
 
@@ -287,11 +288,12 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
         columns = ["problem", "objects", "plan", "primitives", "seconds", "goal", "why not"]
         title = f"{counted(len(tried), 'problem')} drawn from the world"
         show_table(title, columns, [cells for cells, _ in tried])
-    performed = [ledger_of(folder, aim) for aim in AIMS if (folder / aim.file(layout.LEDGER)).is_file()]
-    explored = [folder / aim.file(layout.INTERACTIONS) for aim in AIMS]
-    rows = sum(len(Interactions.load(path)) for path in explored if path.is_file())
-    more = sum(map(len, performed))
-    say(f"{counted(rows + more, 'interaction')}: {rows} explored, {more} to choose and measure operators")
+    explored = [path for aim in AIMS if (path := folder / aim.file(layout.INTERACTIONS)).is_file()]
+    purposes = Counter(explored=sum(len(Interactions.load(path)) for path in explored))
+    for aim in AIMS:
+        purposes += ledger_of(folder, aim).purposes
+    told = ", ".join(f"{count} {purpose}" for purpose, count in purposes.items())
+    say(f"{counted(purposes.total(), 'interaction')}: {told}")
     say(f"everything lies in {folder.path}; {folder / layout.DOMAIN} is the domain")
     report = read_json(folder / layout.TRAINING, TrainingReport)
     learned = judge_training(report, Interactions.load(folder / layout.INTERACTIONS))
