@@ -394,6 +394,21 @@ def take(folder: Path, *, alone: bool) -> int | None:
     return None
 
 
+def retake(held: int, *, alone: bool, wait: bool = True) -> bool:
+    """Have what `take` gave alone, or together with others; return whether it is so.
+
+    Args:
+        held: What it gave.
+        alone: Whether to have it alone.
+        wait: Whether to wait for others, however long.
+    """
+    try:
+        _lock(held, (fcntl.LOCK_EX if alone else fcntl.LOCK_SH) | (0 if wait else fcntl.LOCK_NB))
+    except BlockingIOError:
+        return False
+    return True
+
+
 def holders(path: Path) -> tuple[int, ...]:
     """List the processes that have a file or folder locked, as far as the system tells."""
     try:

@@ -41,14 +41,14 @@ def folder(tmp_path_factory) -> Path:
     world.write_text(coarse)  # half the physics; the default is simulated by all other tests
     pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE}
     first = subprocess.Popen(command(path), start_new_session=True, **pipes)
-    deadline = time.monotonic() + 300
-    while not (path / "interactions.npz").exists() and time.monotonic() < deadline:
+    deadline, growing = time.monotonic() + 300, path / "growing"
+    while not (growing / "interactions.npz").exists() and time.monotonic() < deadline:
         assert first.poll() is None, first.stderr.read() if first.stderr else ""
         time.sleep(0.05)
     os.killpg(first.pid, signal.SIGKILL)
     first.communicate()
-    assert (path / "interactions.npz").exists()
-    assert not (path / "effect_model.safetensors").exists()
+    assert (growing / "interactions.npz").exists()
+    assert not (growing / "effect_model.safetensors").exists()
     second = run(path)
     assert second.returncode == 0, second.stderr
     return path

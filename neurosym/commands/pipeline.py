@@ -6,12 +6,12 @@ it is worth most. So there is a domain to plan with after each round, and a bett
 """
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Annotated, Any, Optional
 
 from tyro.conf import arg
 
-from neurosym.choices import BUDGET, CELL, DEFAULT_STRATEGY
+from neurosym.choices import BUDGET, DEFAULT_STRATEGY
 from neurosym.commands.arguments import CPUS, Folder, Seed, Workers, opened
 from neurosym.commands.learn import (
     ActionBits,
@@ -25,31 +25,19 @@ from neurosym.commands.learn import (
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue, counted, quoted
 from neurosym.execution.record import Run
-from neurosym.files import read_json, write_json
+from neurosym.files import read_json
 from neurosym.grounding import Grounding
 from neurosym.learning.training import TrainingReport
 from neurosym.learning.training_config import PLACE_BITS, regime_named
 from neurosym.stages import layout
-from neurosym.stages.compilation import compile_stage
 from neurosym.stages.console import say, say_next, show_table
 from neurosym.stages.execution import execute_stage, load_run
-from neurosym.stages.folder import Claim, DomainFolder, Stage
-from neurosym.stages.learning import (
-    AIMS,
-    OBJECTS,
-    TO_OBJECTS,
-    TO_PLACES,
-    Aim,
-    check_steps,
-    distill_stage,
-    explore_stage,
-    ledger_of,
-    train_stage,
-)
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.learning import AIMS, TO_OBJECTS, TO_PLACES, ledger_of
 from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.stages.rounds import HELD, Budget, Round, Share, Spent, at_least, budget_of, rounds
+from neurosym.stages.rounds import Recipe, Round, Share, grow, perform, rounds
 from neurosym.stages.verdicts import Tries, judge_domain, judge_training, judge_tries, worst
 from neurosym.world import World, references_of
 from neurosym.worlds.world_file import read_world
@@ -112,41 +100,16 @@ def run(
     operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
     if interactions is not None:  # refuse too few before a folder is made
         rounds(interactions, (layout.OBJECTS,), operators={layout.OBJECTS: operators[0]})
-    domain = _begun(folder, world, steps)
+    domain = _begun(folder, world)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = _explored(domain)
     known = read_world(domain.require(layout.WORLD))()
     plan = _plan(domain, known, interactions, steps, places, relations, operators)
-    fitting: dict[str, Any] = {"seed": seed, "regime": regime}
-    exploring: dict[str, Any] = {**fitting, "strategy": strategy, "workers": workers}
-    distilling: dict[str, Any] = {"objects": rehearsals, "choice": choice, "seed": seed, "workers": workers}
-
-    def learn(aim: Aim, share: Share, before: Spent | None) -> Spent:
-        """Explore, train and distil for an aim, as far as its share of a round goes."""
-        own = bits if aim is OBJECTS else {}
-        held = before is not None and min(share.explored, before.explored) >= HELD
-        there = len(ledger_of(domain, aim)) if before else 0  # none if another version performed it
-        taught = min(before.performed, there) if before else 0
-        for stage in (
-            explore_stage(domain, aim, steps=share.explored, **exploring, **own),
-            train_stage(domain, aim, performed=taught, keeps_bits=held, **fitting, **own),
-            distill_stage(
-                domain,
-                aim,
-                budget=max(0, share.budget - taught),
-                performed=taught,
-                keeps_bits=held,
-                **distilling,
-            ),
-        ):
-            _perform(domain, stage)
-        return Spent(share.explored, len(ledger_of(domain, aim)), share.budget)
-
-    with domain.claimed(Claim.ALONE):
-        _spend(domain, plan, learn, is_open=interactions is not None or steps is None)
-        tried = [_try_problem(domain, number, seed) for number in range(1, problems + 1)]
-        while problems and len(tried) < _MOST_PROBLEMS and not any(run for _, run in tried):
-            tried.append(_try_problem(domain, len(tried) + 1, seed))
+    recipe = Recipe(strategy, regime, choice, rehearsals, seed, workers, bits)
+    grow(domain, plan, recipe, is_open=interactions is not None or steps is None)
+    tried = [_try_problem(domain, number, seed) for number in range(1, problems + 1)]
+    while problems and len(tried) < _MOST_PROBLEMS and not any(run for _, run in tried):
+        tried.append(_try_problem(domain, len(tried) + 1, seed))
     _conclude(domain, tried)
     say_next(f"neurosym plan {quoted(folder)} task-01 --planner bfs")
     return 0
@@ -181,56 +144,12 @@ def _plan(
     )
 
 
-def _spend(
-    folder: DomainFolder,
-    plan: Sequence[Round],
-    learn: Callable[[Aim, Share, Spent | None], Spent],
-    *,
-    is_open: bool,
-) -> None:
-    """Go on with the rounds that are not done yet, as long as they find what is worth performing."""
-    budget = budget_of(folder) if is_open else Budget()
-    if is_open and not (folder / layout.BUDGET).exists():
-        write_json(folder / layout.BUDGET, budget)  # it says that there are rounds
-    for number, asked in enumerate(plan, 1):
-        before = budget.rounds[-1] if budget.rounds else {}
-        shares = {name: at_least(share, before.get(name)) for name, share in asked.items()}
-        done = {name: Share(one.explored, one.budget) for name, one in before.items()}
-        if shares == done != asked:
-            continue  # rounds of an earlier call
-        if shares == done:  # the last one: its files may have been changed since
-            budget = Budget(budget.rounds[:-1])
-            before = budget.rounds[-1] if budget.rounds else {}
-        if budget.is_idle:
-            say("the last round found too little that was worth performing, so this is the end")
-            break
-        aims = [aim for aim in AIMS if aim.folder in shares]
-        spent = {aim.folder: learn(aim, shares[aim.folder], before.get(aim.folder)) for aim in aims}
-        _perform(
-            folder,
-            compile_stage(
-                folder,
-                cell=CELL,
-                with_places=layout.PLACES in shares or None,
-                with_relations=layout.RELATIONS in shares or None,
-            ),
-        )
-        if is_open:
-            budget = Budget((*budget.rounds, spent))
-            if budget != budget_of(folder):
-                write_json(folder / layout.BUDGET, budget)
-            can = judge_domain(_grounding(folder)).lines[0]
-            say(f"round {number} of {len(plan)}: {counted(budget.total, 'interaction')} so far; {can}")
-
-
 def _grounding(folder: DomainFolder) -> Grounding:
     return Grounding.load(folder / layout.GROUNDING)
 
 
-def _begun(folder: Folder, world: str | None, steps: int | None) -> DomainFolder:
+def _begun(folder: Folder, world: str | None) -> DomainFolder:
     """Return the domain folder, which is made if it is not there; or refuse it."""
-    if folder.is_dir() and steps is not None:
-        check_steps(opened(folder), steps)
     if not (folder / layout.WORLD).exists():
         make_domain_folder(folder, world or "tabletop")
     elif world and (found := read_world(folder / layout.WORLD).args[0]) != world:
@@ -270,14 +189,14 @@ def _check_aims(folder: DomainFolder, world: World, places: bool, relations: boo
 def _try_problem(folder: DomainFolder, number: int, seed: int) -> tuple[list[str], Run | None]:
     """Draw a problem, plan it, and execute the plan if there is one; return a row for it, and the run."""
     name, objects = f"task-{number:02d}", 2 - number % 2
-    _perform(folder, problem_stage(folder, name, Asked(objects, seed=seed + number)))
-    _perform(folder, plan_stage(folder, name, planner=_PLANNER))
+    perform(folder, problem_stage(folder, name, Asked(objects, seed=seed + number)))
+    perform(folder, plan_stage(folder, name, planner=_PLANNER))
     record = read_json(folder / layout.plan_files(name, _PLANNER)[1], PlanRecord)
     cells = [name, str(objects), record.status.value, str(record.primitives), f"{record.seconds:.2f}"]
     plan_file = written_steps(folder, name, _PLANNER)
     if not (record.solved and plan_file):
         return [*cells, "-", record.reason], None
-    _perform(folder, execute_stage(folder, name, folder / plan_file))
+    perform(folder, execute_stage(folder, name, folder / plan_file))
     run = load_run(folder, name, folder / plan_file)
     return [*cells, run.outcome.removeprefix("goal "), run.reason], run
 
@@ -302,8 +221,3 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
     compiled = judge_domain(_grounding(folder))
     for line in worst((learned, compiled, judge_tries({_PLANNER: tries}))).lines:
         say(line)
-
-
-def _perform(folder: DomainFolder, stage: Stage) -> None:
-    done = folder.perform(stage, again=False)
-    say(f"{stage.name}: {'done' if done else 'up to date'}")

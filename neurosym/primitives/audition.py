@@ -16,7 +16,7 @@ from neurosym.checks import Float, check_all, check_array, check_callable, check
 from neurosym.contract import made
 from neurosym.errors import InvalidValue, OpenBar, UnknownChoice, silent
 from neurosym.operators import Categorise, Primitive, symbols_of
-from neurosym.primitives.bandit import Contest, Groups, hold, trusted
+from neurosym.primitives.bandit import LEAST_GAIN, Contest, Groups, hold, trusted
 from neurosym.primitives.ledger import Ledger
 from neurosym.primitives.rehearsal import rehearsal_sample
 from neurosym.primitives.reliability import (
@@ -67,9 +67,6 @@ def _moves(count: int, size: int, seed: int) -> Float[np.ndarray, "N A"]:
 
 CANDIDATES = 8
 """How many candidates of a symbol are auditioned at most for a category."""
-LEAST = 2e-6
-"""What a performance must be expected to add to what operators are worth; see `bandit.hold`."""
-_SHARE = 0.6  # of all performances that are for choosing
 _OBJECTS_TO_PREDICT = 40  # objects of the category on which the effects of every candidate are predicted
 _FEW, _SURE = 5, 0.1  # rehearsals of an operator that is hardly ever sure: less than so
 _CATEGORIES = 4  # for so many of which the objects to rehearse on are meant
@@ -92,9 +89,10 @@ def choose_own(
         made(world_factory), search.categorise, objects=search.objects, seed=search.seed
     )
     contests = {kind: _contest(search, sample, kind, foresee) for kind in sample.scenes}
-    every, budget = [*contests.values()], int(_SHARE * search.left)
+    every = [*contests.values()]
     with search.open_bar("auditioning for each category") as advance:
-        hold(every, search.performer(world_factory, advance), budget=budget, least=LEAST)
+        perform = search.performer(world_factory, advance)
+        hold(every, perform, budget=search.for_choosing, least=LEAST_GAIN)
     trust = trusted(every)
     chosen = {kind: contest.best(trust) for kind, contest in contests.items()}
     own = [(kind, contest, one) for kind, contest in contests.items() for one in chosen[kind]]

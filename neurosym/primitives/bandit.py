@@ -20,6 +20,8 @@ AT_ONCE = 4
 """Performances that a candidate is given at a time."""
 BLOCK = 256
 """Performances between two looks at who may become the best."""
+LEAST_GAIN = 2e-6
+"""What a performance must be expected to add to what operators are worth; see `reliability.py`."""
 FORESEEN_COUNTS = 4
 """What is predicted of a candidate counts as so many performances."""
 _BEHIND = 4  # what carries counts by this power of how sure its symbol is beside the surest
@@ -103,23 +105,21 @@ def _expected_excess(ahead: float, spread: float) -> float:
     return spread * (math.exp(-z * z / 2) / math.sqrt(2 * math.pi) - z * math.erfc(z / math.sqrt(2)) / 2)
 
 
-def hold(contests: Sequence[Contest], perform: Perform, *, budget: int, least: float) -> int:
-    """Perform candidates as long as that is worth it, and return how often.
+def hold(contests: Sequence[Contest], perform: Perform, *, budget: int, least: float) -> None:
+    """Perform candidates as long as that is worth it.
 
     Args:
         contests: Those that go on at the same time.
         perform: Has candidates perform.
         budget: How often at most.
-        least: What a performance must be expected to add to the worth of operators; see `reliability.py`.
+        least: What a performance must be expected to add to what operators are worth.
     """
-    done = 0
-    while given := _allotted(contests, min(BLOCK, budget - done), least):
+    while given := _allotted(contests, min(BLOCK, budget), least):
         rows = [(arm, number) for arm, first in given for number in range(first, arm.count)]
         outcomes = perform([(arm.one, arm.contest.scenes[number]) for arm, number in rows])
         for (arm, _), outcome in zip(rows, outcomes, strict=True):
             arm.contest.seen.setdefault(arm.one, []).append(outcome)
-        done += len(rows)
-    return done
+        budget -= len(rows)
 
 
 def _allotted(contests: Sequence[Contest], count: int, least: float) -> list[tuple[_Arm, int]]:

@@ -36,7 +36,7 @@ from neurosym.pair_operators import (
     touching_units,
 )
 from neurosym.primitives.audition import moved
-from neurosym.primitives.bandit import Contest, hold
+from neurosym.primitives.bandit import LEAST_GAIN, Contest, hold
 from neurosym.primitives.rehearsal import (
     Rehearsals,
     means_for_naming,
@@ -58,9 +58,6 @@ from neurosym.worlds.aims import TARGET, RelatedFactory, RelatedScene, as_pair, 
 
 CANDIDATES, PAIRS = 4, 12
 """How many actions one contest is among at most, and on how many pairs each performs at most."""
-LEAST_GAIN = 2e-6
-"""What a performance must be expected to add to the share of pairs that can be brought somewhere."""
-_SHARE = 0.6  # of all performances that are for choosing
 _OF_A_KIND = 64  # pairs of a kind that are looked at, to find which can be brought into a state, and by what
 WORTH = 0.002
 """An action beyond the first for a kind and a state adds this share or more of all pairs, of whatever kind,
@@ -101,8 +98,8 @@ def choose_for_pairs(search: Search, states: PairStates) -> Repertoire:
     contests.sort(key=lambda one: [*foreseen].index(one[0]))
     every = [contest for *_, contest in contests]
     with search.open_bar("auditioning for each kind of pairs") as advance:
-        budget = int(_SHARE * search.budget)
-        hold(every, search.performer(search.shown, advance), budget=budget, least=LEAST_GAIN)
+        perform = search.performer(search.shown, advance)
+        hold(every, perform, budget=search.for_choosing, least=LEAST_GAIN)
     chosen: dict[Symbol, list[Primitive]] = {kind: [] for kind in foreseen}
     for kind, _, contest in contests:
         for one in contest.best(1.0):

@@ -17,6 +17,7 @@ from neurosym.world import Outcome, Scene, WorldFactory
 
 AUDITIONED, REHEARSED = "auditioned", "rehearsed"
 """What performances are for."""
+_CHOOSING = 0.6  # share of all performances that choose
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,6 +56,11 @@ class Search:
     def left(self) -> int:
         """How often actions may still perform."""
         return max(0, self.budget - self.ledger.spent)
+
+    @property
+    def for_choosing(self) -> int:
+        """How often candidates may perform, until one is chosen."""
+        return int(_CHOOSING * self.budget)
 
     def performer(self, world_factory: WorldFactory, progress: Progress) -> Perform:
         """Return what has candidates perform in a world."""

@@ -142,8 +142,6 @@ def compile_stage(
     *,
     cell: float,
     name: str | None = None,
-    with_places: bool | None = None,
-    with_relations: bool | None = None,
     durative: bool = False,
     plain: bool = False,
 ) -> Stage:
@@ -155,16 +153,13 @@ def compile_stage(
         folder: The domain folder.
         cell: Edge of a grid cell [m].
         name: Name of the domain; the one it has, or else that of its world, if not given.
-        with_places: Whether places are learned by then; by what is there if not given.
-        with_relations: The same for relations.
         durative: Whether to print it with durations, too.
         plain: Whether to print it without costs, too.
     """
     asked = {layout.PLAIN_DOMAIN: plain, layout.DURATIVE_DOMAIN: durative}
     wanted = [file for file, is_asked in asked.items() if is_asked]
     places, relations = folder / layout.PLACE_OPERATORS, folder / layout.RELATION_OPERATORS
-    has_places = places.exists() if with_places is None else with_places
-    has_relations = relations.exists() if with_relations is None else with_relations
+    has_places, has_relations = places.exists(), relations.exists()
 
     def work() -> None:
         table = OperatorTable.load(folder.require(layout.PRIMITIVES))

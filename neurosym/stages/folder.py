@@ -6,7 +6,7 @@ with its like. A stage's files are replaced together when it is done, and the ma
 
 import os
 import platform
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import IntEnum
@@ -28,15 +28,21 @@ from neurosym.errors import (
     version_of,
 )
 from neurosym.files import (
+    MOST_DATA,
     Drafts,
     check_writable,
     digests,
     holders,
     locked,
+    make_folder,
+    read_bytes,
     read_json,
     refuse_other_kinds,
+    remove,
     remove_leftovers,
+    retake,
     take,
+    write_atomically,
     write_json,
     write_new,
 )
@@ -140,7 +146,7 @@ class DomainFolder:
         if not path.is_dir():
             raise FolderNotFound(path)
         self.path, self.notify = path, notify
-        self._claim = Claim.NONE
+        self._claim, self._held = Claim.NONE, -1
 
     def __truediv__(self, name: str) -> Path:
         return self.path / name
@@ -222,11 +228,26 @@ class DomainFolder:
         if held is None:
             raise FolderTaken(self.path, holders(self.path))
         try:
-            before, self._claim = self._claim, claim
+            before = self._claim, self._held
+            self._claim, self._held = claim, held
             yield
         finally:
-            self._claim = before
+            self._claim, self._held = before
             os.close(held)
+
+    @contextmanager
+    def alone(self) -> Iterator[None]:
+        """Have a folder that is shared for oneself, as soon as those who share it have ended."""
+        if not retake(self._held, alone=True, wait=False):
+            numbers = ", ".join(str(one) for one in holders(self.path) if one != os.getpid())
+            self.notify(f"waiting for others who work in {self.path} (process {numbers or 'unknown'})")
+            retake(self._held, alone=True)
+        try:
+            self._claim = Claim.ALONE
+            yield
+        finally:
+            self._claim = Claim.SHARED
+            retake(self._held, alone=False)
 
     def perform(self, stage: Stage, *, again: bool) -> bool:
         """Do a stage's work and record it, unless it is done already.
@@ -285,6 +306,33 @@ class DomainFolder:
             stages[stage.name] = StageRecord(stage.options, inputs, outputs, seconds, versions())
             write_json(path, Manifest(stages))
             drafts.put_in_place()
+
+    def take_over(self, other: "DomainFolder", names: Iterable[str]) -> None:
+        """Put files of another folder in the place of those here, together, and what is known of its stages.
+
+        Args:
+            other: The other folder.
+            names: Which files; those that it does not have are removed.
+
+        Raises:
+            CannotWrite: If they cannot be written; those that were there are as they were.
+        """
+        mine, path = self._digests(names := tuple(names)), self.path / layout.MANIFEST
+        theirs, stages = other._digests(names), other.manifest().stages
+        made = {stage: one for stage, one in stages.items() if one.outputs.keys() & set(names)}
+        with Drafts() as drafts:
+            for name in names:
+                if name in theirs and theirs[name] != mine.get(name):
+                    make_folder((self.path / name).parent)
+                    write_atomically(self.path / name, read_bytes(other.path / name, MOST_DATA))
+                elif name in mine and name not in theirs:
+                    remove(self.path / name)
+            write_new(path, msgspec.json.encode(Manifest()))
+            with locked(path):
+                known = self.manifest()
+                if known != (whole := Manifest(known.stages | made)):
+                    write_json(path, whole)
+                drafts.put_in_place()
 
     def outdated(self, names: tuple[str, ...]) -> list[str]:
         """Say which of these files were made from others than those that are there now, if any are."""

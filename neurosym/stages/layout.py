@@ -19,6 +19,8 @@ PRIMITIVES = "primitives.json"
 LEDGER = "performed.safetensors"
 """`distill`: all that was auditioned and rehearsed, whole; nothing in it is performed again."""
 BUDGET = "budget.json"  # `run`: what each of its rounds was spent on
+GROWING = "growing"
+"""`run`: a folder of the same kind in which a round learns; its files are put in place when it is done."""
 OBJECTS = ""
 """What was learned of actions that are aimed at an object alone lies in the folder itself."""
 PLACES = "places"

@@ -6,7 +6,7 @@ All go the same way for each aim, in the world as the aim has it shown, with dat
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -54,6 +54,29 @@ if TYPE_CHECKING:
 _FRESH = 600
 """Pairs that nobody touched, to learn states from."""
 _STREAM = 0x6672  # keeps their draws apart from others
+
+
+class Held(NamedTuple):
+    """What is held to of what an earlier round learned.
+
+    Attributes:
+        performed: So many of the first interactions that were performed to choose and measure operators were
+            paid for, and teach the network without a bottleneck.
+        bits: Whether symbols stay what they are, and what was chosen before is a candidate again.
+    """
+
+    performed: int = 0
+    bits: bool = False
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """What is unusual of it, as a stage's options."""
+        return ({"performed": self.performed} if self.performed else {}) | (
+            {"bits": "kept"} if self.bits else {}
+        )
+
+
+_NOTHING = Held()
 
 
 @dataclass(frozen=True)
@@ -277,8 +300,7 @@ def distill_stage(
     seed: int,
     workers: int,
     budget: int = BUDGET,
-    performed: int = 0,
-    keeps_bits: bool = False,
+    held: Held = _NOTHING,
     choice: str = "own",
 ) -> Stage:
     """Distil primitives and rehearse them: model, data and world -> `primitives.json`.
@@ -286,8 +308,7 @@ def distill_stage(
     Without a `world.toml`, nothing is rehearsed: effects are averaged from the data, whose origin, or else
     least and greatest values, are the action box.
 
-    The budget is for performances beyond the first so many, which are in the ledger already. If bits were
-    kept, what was chosen before is a candidate again.
+    The budget is for performances beyond those that were paid for.
     """
     check_count("objects", objects)
     check_workers(workers)
@@ -328,8 +349,8 @@ def distill_stage(
                     objects=objects,
                     budget=budget,
                     seed=seed,
-                    ledger=ledger_of(folder, aim, workers, performed),
-                    former=aim.chosen(folder.require(aim.table)) if keeps_bits else (),
+                    ledger=ledger_of(folder, aim, workers, held.performed),
+                    former=aim.chosen(folder.require(aim.table)) if held.bits else (),
                     open_bar=progress_bar,
                 )
         except NothingDistilled as error:
@@ -338,7 +359,7 @@ def distill_stage(
 
     options: dict[str, Any] = {"objects": objects, "seed": seed}
     options |= {} if budget == BUDGET else {"budget": budget}
-    options |= ({"performed": performed} if performed else {}) | ({"bits": "kept"} if keeps_bits else {})
+    options |= held.options
     options |= {} if aim.folder else {"choice": choice}
     inputs = tuple(dict.fromkeys((layout.WORLD, aim.categories, of_model, of_network, data, *besides)))
     return Stage(aim.stage("distill"), inputs, (aim.table,), work, options, Claim.ALONE)
@@ -365,14 +386,11 @@ def train_stage(
     regime: str,
     object_bits: int | None = None,
     action_bits: int | None = None,
-    performed: int = 0,
-    keeps_bits: bool = False,
+    held: Held = _NOTHING,
 ) -> Stage:
     """Make the final fit: `interactions.npz` -> `effect_model.safetensors` and `training.json`.
 
-    Bits are those of the regime or the aim, if not given. The network without a bottleneck also learns from
-    the first so many interactions that were performed to choose and measure operators. If bits are kept,
-    those of the model that is there stay what they are.
+    Bits are those of the regime or the aim, if not given.
 
     Raises:
         UnknownChoice: If there is no such regime.
@@ -392,7 +410,9 @@ def train_stage(
             raise InvalidFile(path, problems[0])
         if aim.axes not in (None, axes := interactions.effects.shape[1]):
             raise InvalidFile(path, f"its effects have {counted_axes(axes)}; valid: {aim.axes}")
-        more = ledger_of(folder, aim).interactions(interactions.origin, performed) if performed else None
+        more = None
+        if held.performed:
+            more = ledger_of(folder, aim).interactions(interactions.origin, held.performed)
         files: dict[str, Any] = aim.learn(folder, interactions, chosen, seed)
         with progress_bar(f"training {aim.folder}".rstrip()) as advance:
             trained = train(
@@ -401,7 +421,7 @@ def train_stage(
                 model_config=network,
                 seed=seed,
                 more=more,
-                bits=EffectModel.load(folder.require(aim.file(layout.MODEL))) if keeps_bits else None,
+                bits=EffectModel.load(folder.require(aim.file(layout.MODEL))) if held.bits else None,
                 progress=lambda stage, share: advance(round(100 * share), 100, stage),
             )
         files |= {layout.DIRECT_MODEL: trained.direct, layout.MODEL: trained.model}
@@ -415,6 +435,6 @@ def train_stage(
 
     options: dict[str, Any] = {"seed": seed, "regime": regime}
     options |= {} if aim.bits else network.unusual_bits()
-    options |= ({"performed": performed} if performed else {}) | ({"bits": "kept"} if keeps_bits else {})
+    options |= held.options
     inputs = (*((layout.WORLD,) if aim.besides else ()), data)
     return Stage(aim.stage("train"), inputs, tuple(map(aim.file, learned)), work, options, Claim.ALONE)

@@ -1,16 +1,42 @@
-"""The rounds in which a budget of interactions is spent: how much each aim gets, and what it had."""
+"""The rounds in which a budget of interactions is spent, and a domain grows.
+
+A round learns in a folder of its own within the domain folder, and its files are put in place when it is
+done. So others plan and execute meanwhile with what the rounds before it learned, and an interrupted round
+goes on from what it wrote.
+"""
 
 import math
-from collections.abc import Mapping, Sequence
+import shutil
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache
 from types import MappingProxyType
-from typing import Annotated, NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import msgspec
 
-from neurosym.errors import InvalidValue
-from neurosym.files import read_json
+from neurosym.choices import CELL, StrategyName
+from neurosym.data.origin import own_name
+from neurosym.errors import InvalidFile, InvalidValue, counted
+from neurosym.files import digests, make_folder, read_json, write_json
+from neurosym.grounding import Grounding
 from neurosym.stages import layout
-from neurosym.stages.folder import DomainFolder
+from neurosym.stages.compilation import compile_stage
+from neurosym.stages.console import say
+from neurosym.stages.folder import Claim, DomainFolder, Stage
+from neurosym.stages.learning import (
+    AIMS,
+    OBJECTS,
+    Aim,
+    Held,
+    check_steps,
+    distill_stage,
+    explore_stage,
+    ledger_of,
+    train_stage,
+)
+from neurosym.stages.verdicts import judge_domain
 
 _SEEN = 5
 """So often an operator is to be seen at least, on average."""
@@ -28,7 +54,7 @@ _MOST_EXPLORED = 4096
 """More are not explored for one aim: what is known then is better asked of operators."""
 _BLOCK = 512
 """So many interactions are explored between two updates of the networks."""
-HELD = 1024
+_HELD = 1024
 """Bits that were learned from so many explored interactions stay what they are."""
 _IDLE = 0.9
 """A round that finds worthwhile performances for less than this share of its budget is the last."""
@@ -128,19 +154,183 @@ def _share(count: int, most: int, last: Share) -> Share:
     return Share(explored, count - explored)
 
 
-def at_least(share: Share, spent: Spent | None) -> Share:
-    """Return a share that is not smaller than what was spent already.
+def _left_of(plan: Sequence[Round], budget: Budget) -> tuple[Budget, list[Round]]:
+    """Say what is left of a plan, and what was spent before; no share is smaller than what was spent.
+
+    If nothing is left, the last round that was done is: files may have been changed since.
 
     Args:
-        share: The share.
-        spent: What was spent, if anything was.
+        plan: The rounds.
+        budget: What was spent so far.
     """
-    if spent is None:
-        return share
-    return Share(max(share.explored, spent.explored), max(share.budget, spent.budget))
+    before = budget.rounds[-1] if budget.rounds else {}
+    done = {name: Share(one.explored, one.budget) for name, one in before.items()}
+    left, last = list[Round](), done
+    for asked in plan:
+        more = {name: Share(*map(max, share, last.get(name, share))) for name, share in asked.items()}
+        if any(last.get(name) != share for name, share in more.items()):
+            left.append(more)
+            last = {**last, **more}
+    return (budget, left) if left else (Budget(budget.rounds[:-1]), [done] if done else [])
 
 
-def budget_of(folder: DomainFolder) -> Budget:
+def _budget_of(folder: DomainFolder) -> Budget:
     """Read what the rounds that are done were spent on."""
     path = folder / layout.BUDGET
     return read_json(path, Budget) if path.is_file() else Budget()
+
+
+_BEGAN = "began.json"
+"""In the folder in which a round learns: the digests of the files that it began from."""
+
+
+@dataclass(frozen=True, slots=True)
+class Recipe:
+    """How every round explores, learns and rehearses.
+
+    Attributes:
+        strategy: How actions are chosen that explore.
+        regime: Networks and training.
+        choice: Which candidate stands for a symbol.
+        objects: How many objects each symbol is rehearsed on.
+        seed: Where all draws start.
+        workers: How many processes; their number does not change what is learned.
+        bits: Of the symbols of objects and actions, where they are said.
+    """
+
+    strategy: StrategyName
+    regime: str
+    choice: str
+    objects: int
+    seed: int
+    workers: int
+    bits: Mapping[str, int | None]
+
+    def check(self, folder: DomainFolder, shares: Round) -> None:
+        """Refuse to explore what a user's own data, or other interactions, stand in the place of."""
+        for aim in AIMS:
+            if aim.folder in shares:
+                name = own_name(self.strategy)
+                check_steps(folder, shares[aim.folder].explored, aim, strategy=name, seed=self.seed)
+
+    def learn(self, folder: DomainFolder, aim: Aim, share: Share, before: Spent | None) -> Spent:
+        """Explore, train and distil for an aim, as far as its share of a round goes.
+
+        Args:
+            folder: Where.
+            aim: What actions are aimed at.
+            share: What there is to spend, and was.
+            before: What was spent, if anything was.
+        """
+        held = Held()
+        if before is not None:
+            there = len(ledger_of(folder, aim))  # none if another version performed it
+            held = Held(min(before.performed, there), min(share.explored, before.explored) >= _HELD)
+        fitting: dict[str, Any] = {"seed": self.seed, "regime": self.regime}
+        fitting |= self.bits if aim is OBJECTS else {}
+        searching: dict[str, Any] = {"objects": self.objects, "choice": self.choice, "seed": self.seed}
+        searching["budget"] = max(0, share.budget - held.performed)
+        exploring: dict[str, Any] = {"steps": share.explored, "strategy": self.strategy}
+        for stage in (
+            explore_stage(folder, aim, workers=self.workers, **exploring, **fitting),
+            train_stage(folder, aim, held=held, **fitting),
+            distill_stage(folder, aim, held=held, workers=self.workers, **searching),
+        ):
+            perform(folder, stage)
+        return Spent(share.explored, len(ledger_of(folder, aim)), share.budget)
+
+
+def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open: bool) -> None:
+    """Go on with the rounds that are not done yet, as long as they find what is worth performing.
+
+    Args:
+        folder: The domain folder.
+        plan: What each aim gets in each round.
+        recipe: How each round learns.
+        is_open: Whether more rounds may come later; else there is one, of which no account is kept.
+
+    Raises:
+        FolderTaken: If another process learns in the folder.
+    """
+    if is_open and not (folder / layout.BUDGET).exists():
+        write_json(folder / layout.BUDGET, Budget())  # it says that there are rounds
+    budget, left = _left_of(plan, _budget_of(folder) if is_open else Budget())
+    count = len(budget.rounds) + len(left)
+    if left:
+        recipe.check(folder, left[-1])
+    with folder.claimed(Claim.SHARED), _workshop(folder) as workshop:
+        for shares in left:
+            if budget.is_idle:
+                say("the last round found too little that was worth performing, so this is the end")
+                break
+            before = budget.rounds[-1] if budget.rounds else {}
+            aims = [aim for aim in AIMS if aim.folder in shares]
+            spent = {
+                aim.folder: recipe.learn(workshop, aim, shares[aim.folder], before.get(aim.folder))
+                for aim in aims
+            }
+            budget = Budget((*budget.rounds, {**before, **spent}))
+            if is_open and budget != _budget_of(workshop):
+                write_json(workshop / layout.BUDGET, budget)
+            _publish(workshop, folder)
+            if is_open:
+                can = judge_domain(Grounding.load(folder / layout.GROUNDING)).lines[0]
+                done = f"round {len(budget.rounds)} of {count}"
+                say(f"{done}: {counted(budget.total, 'interaction')} so far; {can}")
+
+
+def perform(folder: DomainFolder, stage: Stage) -> None:
+    """Perform a stage unless it is done already, and say which."""
+    done = folder.perform(stage, again=False)
+    say(f"{stage.name}: {'done' if done else 'up to date'}")
+
+
+@cache
+def _files() -> tuple[str, ...]:
+    """Name the files that rounds change."""
+    from neurosym.exploration.loop import INTERACTIONS_FILE, STATE_FILE  # which takes seconds
+
+    names = [layout.WORLD, layout.BUDGET]
+    for aim in AIMS:
+        learned = layout.MODEL, aim.network, *aim.besides, layout.TRAINING, layout.LEDGER
+        names += map(aim.file, (STATE_FILE, INTERACTIONS_FILE, layout.INTERACTIONS, *learned))
+        names.append(aim.table)
+    return tuple(dict.fromkeys(names))
+
+
+def _digests(folder: DomainFolder) -> dict[str, str]:
+    return digests({name: folder / name for name in _files()})
+
+
+@contextmanager
+def _workshop(folder: DomainFolder) -> Iterator[DomainFolder]:
+    """Open the folder in which rounds learn, and remove it when they are done; nobody else learns in it.
+
+    It begins with what was learned, and anew if that was changed since.
+    """
+    path = folder / layout.GROWING
+    if path.is_symlink():
+        raise InvalidFile(path, "it is a link, and should be a folder; move it away")
+    make_folder(path)
+    workshop = DomainFolder(path, folder.notify)
+    with workshop.claimed(Claim.ALONE):
+        now, began = _digests(folder), path / _BEGAN
+        if not began.is_file() or read_json(began, dict[str, str]) != now:
+            for name in (*_files(), layout.MANIFEST):
+                (path / name).unlink(missing_ok=True)
+            workshop.take_over(folder, _files())
+            write_json(began, now)
+        yield workshop
+        shutil.rmtree(path)
+
+
+def _publish(workshop: DomainFolder, folder: DomainFolder) -> None:
+    """Put what was learned in its place, and compile it, when nobody works with what was there."""
+    with folder.alone():
+        if read_json(workshop / _BEGAN, dict[str, str]) != _digests(folder):
+            raise InvalidValue(
+                f"Files of {folder.path} were changed while it grew; the same command begins there."
+            )
+        folder.take_over(workshop, _files())
+        write_json(workshop / _BEGAN, _digests(folder))
+        perform(folder, compile_stage(folder, cell=CELL))

@@ -2,9 +2,10 @@
 
 import pytest
 
-from tools.benchmarks.budget.summary import WAYS, page, summarise
+from tools.benchmarks.budget import ways
+from tools.benchmarks.budget.summary import page, summarise
 
-LEARNED = {"cpu": 60.0, "interactions": 1990, "idle": False}
+LEARNED = {"cpu": 60.0, "interactions": 1990, "moved": 0.3, "kinds": ["push"], "r2": 0.5}
 
 
 def trial(reached: bool) -> dict:
@@ -12,32 +13,66 @@ def trial(reached: bool) -> dict:
     return {"task": "drawn-1", "status": "solved", "blind": ended, "replanned": ended}
 
 
-def found(shares: dict[int, float], way: str = "one-budget") -> dict:
+def found(shares: dict[int, float], way: str = "one-budget", make=trial) -> dict:
     """Record two seeds, whose tasks are reached so often after so many interactions."""
     jobs = {}
     for seed in (1, 2):
         for total, share in shares.items():
-            jobs[f"learn-{way}-{seed}-{total}"] = LEARNED
-            for cell in WAYS[way][total]:
-                trials = [trial(number < 20 * share) for number in range(20)]
+            kinds = ["push"] * (6 if total >= 4000 else 4)
+            jobs[f"learn-{way}-{seed}-{total}"] = {**LEARNED, "interactions": total - seed, "kinds": kinds}
+            for cell in ways.WAYS[way].points[total]:
+                trials = [make(number < 20 * share) for number in range(20)]
                 jobs[f"try-{way}-{seed}-{total}-{cell.name}-0"] = trials
     return jobs
 
 
 def test_the_fewest_interactions_are_told_that_are_enough():
     summary = summarise(found({2000: 0.9, 4000: 0.95, 8000: 1.0}) | found({2000: 0.5}, "random"))
-    assert summary["interactions_for"] == {"drawn": 4000, "places": None}
-    assert summary["blind_at_2000"]["one-budget"] == pytest.approx(0.9)
+    assert summary["interactions_for"] == {"drawn": 4000, "places": None, "relations": None}
+    assert summary["blind_at_2000"]["one_budget"] == pytest.approx(0.9)
     assert summary["blind_at_2000"]["random"] == pytest.approx(0.5)
     assert summary["blind_at_2000"]["entropy"] is None
+    assert summary["six_kinds"] == {"one-budget": [3998, 3999]}
     assert summary["seeds"] == 2
     written = page(summary)
     assert "| one-budget | 4,000 | single | 2 | 95 % (83 to 99) | 95 % (83 to 99) |" in written
-    assert "| one-budget-1-2000 | 1,990 | 1.0 |" in written
+    assert "| one-budget-1-2000 | 1,999 | 1.0 | 30 % | 4 | 0.50 |" in written
 
 
-def test_places_count_with_replanning_and_nothing_is_told_of_what_was_not_measured():
-    assert summarise(found({5000: 1.0, 10_000: 1.0}, "with-places"))["interactions_for"]["places"] == 5000
+def test_places_count_with_replanning_and_pairs_by_geometry_too():
+    jobs = found({5000: 1.0, 10_000: 1.0}, "with-places")
+    jobs |= found({8000: 1.0}, "with-relations", lambda reached: {"blind": False, "reached": reached})
+    assert summarise(jobs)["interactions_for"] == {"drawn": None, "places": 5000, "relations": None}
+    for seed in (1, 2):
+        jobs[f"pairs-with-relations-{seed}-8000"] = {
+            "operators": {"on": {"right": 0.9}, "in": {"right": 0.9}}
+        }
+    assert summarise(jobs)["interactions_for"]["relations"] == 8000
+    jobs["pairs-with-relations-1-8000"]["operators"]["in"] = None
+    assert summarise(jobs)["interactions_for"]["relations"] is None
+
+
+def test_nothing_is_told_of_what_was_not_measured():
     empty = summarise({})
-    assert empty["interactions_for"] == {"drawn": None, "places": None}
+    assert set(empty["interactions_for"].values()) == {None}
+    assert empty["cpu_ratio"] is None
     assert "not measured yet" in page(empty)
+
+
+@pytest.mark.parametrize("part", ["", "teaching", "prior", "weighing", "stopping"])
+def test_parts_of_the_loop_are_left_out_for_a_while(part):
+    before = parts()
+    with ways.left_out(part):
+        during = parts()
+        assert (ways.bandit.Contest(1.0, [], [], {}, len).counts < 1) == (part == "prior")
+    assert sum(one != other for one, other in zip(before, during, strict=True)) == bool(part)
+    assert parts() == before
+
+
+def parts() -> tuple:
+    return (
+        ways.rounds.train_stage,
+        ways.bandit._Arm.gain,
+        ways.audition.LEAST_GAIN,
+        ways.bandit.Contest.counts,
+    )

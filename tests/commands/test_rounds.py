@@ -7,11 +7,12 @@ import pytest
 from command_line import neurosym, refusal
 from toy_learning import BRIEF, SMALL
 
-from neurosym.commands import pipeline
+from neurosym import files
 from neurosym.files import read_json
 from neurosym.learning.training_config import REGIMES
 from neurosym.primitives.ledger import Ledger
 from neurosym.stages import layout, rounds
+from neurosym.stages.folder import DomainFolder
 
 RUN = [
     "--world",
@@ -36,7 +37,7 @@ FILES = (layout.INTERACTIONS, layout.PRIMITIVES, layout.DOMAIN, layout.BUDGET, "
 def small(monkeypatch):
     """Let rounds begin small, and training take a moment."""
     monkeypatch.setattr(rounds, "_FIRST", 175)
-    monkeypatch.setattr(pipeline, "HELD", 100)
+    monkeypatch.setattr(rounds, "_HELD", 100)
     naming = replace(BRIEF.naming, steps=100)  # so that there are actions with most codes
     brief = replace(REGIMES["quick"], model=SMALL, training=replace(BRIEF, naming=naming))
     monkeypatch.setitem(REGIMES, "quick", brief)
@@ -85,6 +86,39 @@ def test_interrupted_and_continued_runs_end_with_the_same_bytes(tmp_path, monkey
     before = {path: path.stat().st_mtime_ns for path in (tmp_path / "whole").rglob("*")}
     assert spend(tmp_path / "whole", 350, *FOR_OBJECTS) == 0
     assert {path: path.stat().st_mtime_ns for path in (tmp_path / "whole").rglob("*")} == before
+
+
+def test_others_plan_while_a_round_works_and_nobody_else_learns(tmp_path, monkeypatch, capsys):
+    folder, inner, calls = tmp_path / "grown", rounds.train_stage, []
+
+    def interrupting(*given, **options):
+        if (folder / layout.GROUNDING).exists():  # in the second round
+            assert neurosym("new-problem", folder, "--name", f"meanwhile-{len(calls)}") == 0
+            assert neurosym("plan", folder, f"meanwhile-{len(calls)}") in (0, 1)
+            assert f"works in {folder}" in refusal(capsys, "train", folder)
+            assert f"works in {folder / layout.GROWING}" in refusal(capsys, *spending)
+            calls.append(read_json(folder / layout.BUDGET, rounds.Budget))
+        return inner(*given, **options)
+
+    spending = "run", folder, "--interactions", 350, *RUN, *FOR_OBJECTS
+    monkeypatch.setattr(rounds, "train_stage", interrupting)
+    monkeypatch.setattr(files, "_TRIES", 1)
+    assert neurosym(*spending) == 0
+    assert [len(budget.rounds) for budget in calls] == [1]
+    assert not (folder / layout.GROWING).exists()
+    stages = DomainFolder(folder).manifest().stages
+    assert {"plan meanwhile-0 fast-downward", "train", "compile-domain"} <= stages.keys()
+
+
+def test_files_that_were_changed_meanwhile_are_not_overwritten(tmp_path, monkeypatch, capsys):
+    def changing(*given, **options):
+        (tmp_path / "grown" / layout.INTERACTIONS).write_text("mine")
+        return rounds.Spent(0, 0, 0)
+
+    monkeypatch.setattr(rounds.Recipe, "learn", changing)
+    said = refusal(capsys, "run", tmp_path / "grown", "--interactions", 350, *RUN, *FOR_OBJECTS)
+    assert "were changed while it grew" in said
+    assert (tmp_path / "grown" / layout.INTERACTIONS).read_text() == "mine"
 
 
 def test_it_stops_where_nothing_more_is_worth_performing(tmp_path, monkeypatch, capsys):

@@ -1,102 +1,178 @@
 """What can plans do, by all interactions they cost? `make evaluate-budget`, into docs/results/budget.*.
 
 A run is learned in rounds, and tried after some of them on tasks that nothing was chosen on. Ways to spend
-the budget are compared: what explores is curious by disagreement or by entropy, or it is random; and *stages*
-in a row explore with all that rehearsing leaves, and take the paper's candidates. Goes on where it was
-interrupted.
+the budget are compared (`ways.py`); what is most asked for comes first. Goes on where it was interrupted.
 """
 
+import os
 import shutil
+import subprocess
+import sys
+import time
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
+
+import tyro
 
 from neurosym.commands.pipeline import run
 from neurosym.data.interactions import Interactions
 from neurosym.files import read_json
+from neurosym.learning.training import TrainingReport
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.learning import OBJECTS, ledger_of
-from neurosym.stages.rounds import Budget
+from neurosym.stages.learning import AIMS, ledger_of
 from tools.benchmarks import options
-from tools.benchmarks.budget.summary import STAGES, TOTALS, WAYS, Cell, domain_name, page, summarise
+from tools.benchmarks.budget import interaction
+from tools.benchmarks.budget.curve import draw
+from tools.benchmarks.budget.summary import page, summarise
+from tools.benchmarks.budget.ways import STAGES, TOWERS, WAYS, Cell, domain_name, left_out
 from tools.benchmarks.carrying.tasks import far
 from tools.benchmarks.domains import bench_of
 from tools.benchmarks.jobs import Evaluation, Jobs, cpu_seconds
+from tools.benchmarks.planning import measures
 from tools.benchmarks.planning.jobs import blocks
-from tools.benchmarks.planning.measures import TIME_LIMIT
 from tools.benchmarks.planning.trials import tried
+from tools.benchmarks.relations import symbols, tasks
+from tools.benchmarks.relations.trying import try_all
 
 FIRST_TASK = 800_000  # seed of the first task, far from those of other evaluations
-KEPT = (layout.WORLD, layout.MODEL, layout.GROUNDING)
-_REHEARSALS = 40  # objects that stages in a row rehearse each symbol on
-_REHEARSED = 800  # interactions that this takes: thirty on each of four categories at least
+NEW_PAIRS = 780_000
+"""Added to the seed of a domain, so that it is judged on pairs that it was not learned with."""
+KEPT = (layout.WORLD, layout.MODEL, layout.TRAINING, layout.GROUNDING, layout.BUDGET)
+_OF_PAIRS = (
+    layout.RELATION_MODEL,
+    layout.RELATION_CHANCES,
+    layout.RELATION_STATES,
+    layout.RELATION_OPERATORS,
+)
+_REHEARSED = 800  # interactions that stages rehearse with: thirty on each of four categories at least
+_TURNS = (
+    (2000, ("one-budget", STAGES, "random", "entropy")),
+    (10_000, ("with-places",)),
+    (6000, ("one-budget",)),
+    (15_000, ("with-relations",)),
+    (8000, ("one-budget", STAGES, "random", "entropy")),
+    (6000, ("no-teaching", "no-prior", "evenly", "no-stopping")),
+    (16_000, ("one-budget", "random", "entropy")),
+)
+"""Ways and how far each goes, in turn."""
+_TIMED = {"default": (), "without_places": ("--places", "0")}
 
 
 def main(
     seeds: options.Seeds = 3,
+    turns: Annotated[int, tyro.conf.arg(help="How many of the turns of ways are taken.")] = len(_TURNS),
     scale: options.Scale = 1.0,
     work: options.Work = Path("evaluation/budget"),
     results: options.Results = options.RESULTS,
     workers: options.Workers = options.CORES,
 ) -> None:
-    """Learn, try, and write what came of it, a seed after the other."""
+    """Learn, try, and write what came of it."""
     evaluation = Evaluation("budget", work, results, workers)
 
     def report() -> None:
         summary = summarise(evaluation.found())
+        draw(summary, results / "budget.png")
         evaluation.write(summary, page(summary))
 
-    for seed in range(1, seeds + 1):
-        for total in TOTALS:
-            ways = [way for way in WAYS if total in WAYS[way]]
+    alone = Evaluation("budget", work, results)
+    alone.perform(
+        {f"time-{name}": partial(_time, work, name) for name in _TIMED}, "timing one run", fresh=True
+    )
+    alone.perform({"ratio": partial(interaction.compare, work)}, "timing interactions", fresh=True)
+    for most, ways in _TURNS[:turns]:
+        for total in sorted({point for way in ways for point in WAYS[way].points if point <= most}):
+            some = [(way, s) for s in range(1, seeds + 1) for way in ways if total in WAYS[way].points]
             learning = {
                 f"learn-{domain_name(way, seed, total)}": partial(learn, work, way, seed, total)
-                for way in ways
+                for way, seed in some
             }
-            evaluation.perform(learning, f"seed {seed}, learning from {total:,}")
+            evaluation.perform(learning, f"learning from {total:,}", fresh=True)
             trying: Jobs = {}
-            for way in ways:
+            for way, seed in some:
                 trying |= _tasks(work, way, seed, total, scale)
-            evaluation.perform(trying, f"seed {seed}, tasks after {total:,}", report)
+            evaluation.perform(trying, f"tasks after {total:,}")
+            report()
     report()
+
+
+def _time(work: Path, name: str) -> dict[str, float]:
+    """Time one run with what is usual, and the machine by importing numpy."""
+    folder, begin, cpu = work / f"time-{name}", time.perf_counter(), cpu_seconds()
+    shutil.rmtree(folder, ignore_errors=True)
+    called = [
+        sys.executable,
+        "-m",
+        "neurosym",
+        "run",
+        folder,
+        "--seed",
+        "21",
+        "--problems",
+        "2",
+        *_TIMED[name],
+    ]
+    environment = {key: value for key, value in os.environ.items() if key != "OMP_NUM_THREADS"}
+    subprocess.run(called, check=True, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    minutes, cpu = (time.perf_counter() - begin) / 60, cpu_seconds() - cpu
+    before = cpu_seconds()
+    subprocess.run([sys.executable, "-c", "import numpy"], check=True)
+    return {"minutes": minutes, "cpu_minutes": cpu / 60, "unit": cpu_seconds() - before}
 
 
 def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
     """Go on with a run until so many interactions, and keep what it takes to try it; say what that took."""
-    folder, begin = work / f"{way}-{seed}", cpu_seconds()
-    common: dict[str, Any] = {"seed": seed, "workers": 1, "problems": 0}
-    places = None if way.endswith("places") else 0
+    folder, begin, known = work / f"{way}-{seed}", cpu_seconds(), WAYS[way]
+    chosen: dict[str, Any] = {"seed": seed, "workers": 1, "problems": 0, "places": 0, **known.options}
     if way == STAGES:
-        folder = work / domain_name(way, seed, total)
-        explored, few = total - _REHEARSED, {"choice": "lowest-error", "rehearsals": _REHEARSALS}
-        run(folder, steps=explored, places=0, **few, **common)  # type: ignore[arg-type]
-        return {"cpu": cpu_seconds() - begin, "interactions": _spent(folder)}
-    strategy: Any = way if way in ("random", "entropy") else "disagreement"
-    run(folder, interactions=total, strategy=strategy, places=places, **common)
+        shutil.rmtree(folder, ignore_errors=True)
+        chosen["steps"] = total - _REHEARSED
+    else:
+        chosen["interactions"] = total
+    with left_out(known.without):
+        run(folder, **chosen)
     copy = work / domain_name(way, seed, total)
-    copy.mkdir(exist_ok=True)
-    for name in KEPT:
-        shutil.copy(folder / name, copy / name)
-    budget = read_json(folder / layout.BUDGET, Budget)
-    return {"cpu": cpu_seconds() - begin, "interactions": budget.total, "idle": budget.is_idle}
+    for name in (*KEPT, *_OF_PAIRS):
+        if (folder / name).exists():
+            (copy / name).parent.mkdir(exist_ok=True, parents=True)
+            shutil.copy(folder / name, copy / name)
+    spent = [
+        (_explored(folder / aim.file(layout.INTERACTIONS)), ledger_of(DomainFolder(folder), aim))
+        for aim in AIMS
+    ]
+    return {
+        "cpu": cpu_seconds() - begin,
+        "interactions": sum(explored + len(ledger) for explored, ledger in spent),
+        "explored": [explored for explored, _ in spent],
+        "moved": _moved(folder / layout.INTERACTIONS),
+        "kinds": measures.kinds(copy) or [],
+        "r2": read_json(copy / layout.TRAINING, TrainingReport).r2_through_codes,
+    }
 
 
-def _spent(folder: Path) -> int:
-    """Count what stages in a row explored and performed."""
-    return len(Interactions.load(folder / layout.INTERACTIONS)) + len(
-        ledger_of(DomainFolder(folder), OBJECTS)
-    )
+def _explored(path: Path) -> int:
+    return len(Interactions.load(path)) if path.is_file() else 0
+
+
+def _moved(path: Path) -> float:
+    """Return the share of what explored that moved its target by a centimetre, or picked it up."""
+    found = Interactions.load(path)
+    far = (abs(found.effects[:, :3]) > interaction.MOVED).any(axis=1)
+    return float((far | found.held).mean())
 
 
 def _tasks(work: Path, way: str, seed: int, total: int, scale: float) -> Jobs:
     """List the jobs that try what was learned, by their names."""
     folder, found = work / domain_name(way, seed, total), dict[str, Any]()
-    for cell in WAYS[way][total]:
+    for cell in WAYS[way].points[total]:
         for block in blocks(options.scaled(scale, cell.count), 10):
             name = f"try-{folder.name}-{cell.name}-{block.start}"
-            found[name] = partial(_try, folder, cell, seed, block)
+            judge = _try_towers if cell.name == TOWERS else _try
+            found[name] = partial(judge, folder, cell, seed, block)
+    if "relations" in WAYS[way].options:
+        found[f"pairs-{folder.name}"] = partial(_judge_pairs, folder, seed)
     return found
 
 
@@ -105,11 +181,24 @@ def _try(folder: Path, cell: Cell, seed: int, block: Sequence[int]) -> list[Any]
     bench, first = bench_of(folder), FIRST_TASK + 1000 * seed
     drawn = (
         far(bench, cell.objects, first + number, graspable=True, tolerance=cell.tolerance)
-        if cell.is_far
+        if cell.name.startswith("far")
         else bench.draw(cell.objects, first + number, cell.tolerance)
         for number in block
     )
-    return tried(bench.setting, drawn, time_limit=TIME_LIMIT)
+    return tried(bench.setting, drawn, time_limit=measures.TIME_LIMIT)
+
+
+def _judge_pairs(folder: Path, seed: int) -> dict[str, Any]:
+    """Judge what was learned of pairs by geometry."""
+    return symbols.measure(folder, NEW_PAIRS + seed, workers=1)
+
+
+def _try_towers(folder: Path, cell: Cell, seed: int, block: Sequence[int]) -> list[Any]:
+    """Try to build towers; geometry says what words mean, and what was reached."""
+    words = _judge_pairs(folder, seed)["words"]
+    draws = {name: draw_task for name, draw_task, _ in tasks.cells(1)}
+    first = FIRST_TASK + 1000 * seed
+    return try_all(folder, words, draws[cell.name], range(first + block.start, first + block.stop))
 
 
 if __name__ == "__main__":
