@@ -24,7 +24,7 @@ from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.learning import AIMS, ledger_of
 from tools.benchmarks import options
-from tools.benchmarks.budget import interaction
+from tools.benchmarks.budget import heights, interaction
 from tools.benchmarks.budget.curve import draw
 from tools.benchmarks.budget.summary import page, summarise
 from tools.benchmarks.budget.ways import STAGES, TOWERS, WAYS, Cell, domain_name, left_out
@@ -58,6 +58,7 @@ _TURNS = (
     (16_000, ("one-budget", "random", "entropy")),
 )
 """Ways and how far each goes, in turn."""
+_HEIGHTS_AFTER = 4  # turns, it is asked when curiosity pays
 _TIMED = {"default": (), "without_places": ("--places", "0")}
 
 
@@ -82,7 +83,11 @@ def main(
         {f"time-{name}": partial(_time, work, name) for name in _TIMED}, "timing one run", fresh=True
     )
     alone.perform({"ratio": partial(interaction.compare, work)}, "timing interactions", fresh=True)
-    for most, ways in _TURNS[:turns]:
+    drawing, widening = heights.jobs(work, seeds)
+    for number, (most, ways) in enumerate(_TURNS[:turns]):
+        if number == _HEIGHTS_AFTER:
+            evaluation.perform(drawing, "higher action boxes")
+            evaluation.perform(widening, "exploring in these", report)
         for total in sorted({point for way in ways for point in WAYS[way].points if point <= most}):
             some = [(way, s) for s in range(1, seeds + 1) for way in ways if total in WAYS[way].points]
             learning = {
@@ -146,7 +151,7 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
         "cpu": cpu_seconds() - begin,
         "interactions": sum(explored + len(ledger) for explored, ledger in spent),
         "explored": [explored for explored, _ in spent],
-        "moved": _moved(folder / layout.INTERACTIONS),
+        "moved": float(heights.moved(Interactions.load(folder / layout.INTERACTIONS)).mean()),
         "kinds": measures.kinds(copy) or [],
         "r2": read_json(copy / layout.TRAINING, TrainingReport).r2_through_codes,
     }
@@ -154,13 +159,6 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
 
 def _explored(path: Path) -> int:
     return len(Interactions.load(path)) if path.is_file() else 0
-
-
-def _moved(path: Path) -> float:
-    """Return the share of what explored that moved its target by a centimetre, or picked it up."""
-    found = Interactions.load(path)
-    far = (abs(found.effects[:, :3]) > interaction.MOVED).any(axis=1)
-    return float((far | found.held).mean())
 
 
 def _tasks(work: Path, way: str, seed: int, total: int, scale: float) -> Jobs:
