@@ -1,8 +1,8 @@
-"""Measure what docs/learning.md claims: Tables I and II, learning curves, bits and ablations, over seeds.
+"""Measure what docs/learning.md claims: Tables I and II, bits and ablations, over seeds.
 
 Everything that was explored or measured stays in a working folder, one file for each job, so that the run can
-be interrupted and goes on where it was. The results go to docs/results/ (learning.json, learning.md,
-learning.png), as far as they are known.
+be interrupted and goes on where it was. The results go to docs/results/ (learning.json, learning.md), as far
+as they are known.
 """
 
 from collections.abc import Iterator
@@ -21,7 +21,6 @@ from neurosym.stages.layout import INTERACTIONS
 from tools.benchmarks import domains, options
 from tools.benchmarks.jobs import Evaluation, Found, Jobs, machine
 from tools.benchmarks.learning import measures
-from tools.benchmarks.learning.curves import draw
 from tools.benchmarks.learning.measures import Data
 from tools.benchmarks.learning.tables import page
 
@@ -29,8 +28,6 @@ STRATEGIES: tuple[StrategyName, ...] = ("random", "active", "entropy", "disagree
 EXPLORED: dict[StrategyName, StrategyName] = {"active": "random"}
 """What acts at random learns from the data of `random`."""
 TEST_SEED, TEST_STEPS = 1000, 11_000
-CURVE = (1024, 2560, 5120, 10_000)
-"""Interactions after which the learning curves have a point; there are none of a single seed."""
 BITS = ((1, 3), (3, 3), (2, 2), (2, 4), (2, 5), (2, 6))
 FEW_SEEDS = 3  # seeds of the parts that are not Tables I and II
 
@@ -87,19 +84,17 @@ def _data_of(work: Path, strategy: StrategyName, seed: int, steps: int) -> Data:
 
 
 def jobs_in_turn(work: Path, seeds: int, steps: int) -> Iterator[Jobs]:
-    """List the jobs: first those whose networks others need; all tables, and then the curves."""
+    """List the jobs, first those whose networks others need."""
     numbers = range(1, seeds + 1)
-    for rows in [steps, *(rows for rows in CURVE if rows < steps and seeds > 1)]:
-        cells = {
-            f"{strategy}-{seed}-{rows}": _data_of(work, strategy, seed, rows)
-            for seed in numbers
-            for strategy in STRATEGIES
-        }
-        yield {f"learn-{name}": partial(measures.learn_and_keep, data) for name, data in cells.items()}
-        yield {f"act-{name}": partial(measures.act_upon, data, "predictable") for name, data in cells.items()}
-        if rows == steps:
-            yield {f"went-{name}": partial(measures.where_it_went, data) for name, data in cells.items()}
-            yield {name: job for seed in numbers for name, job in _other_jobs(work, seed, steps).items()}
+    cells = {
+        f"{strategy}-{seed}-{steps}": _data_of(work, strategy, seed, steps)
+        for seed in numbers
+        for strategy in STRATEGIES
+    }
+    yield {f"learn-{name}": partial(measures.learn_and_keep, data) for name, data in cells.items()}
+    yield {f"act-{name}": partial(measures.act_upon, data, "predictable") for name, data in cells.items()}
+    yield {f"went-{name}": partial(measures.where_it_went, data) for name, data in cells.items()}
+    yield {name: job for seed in numbers for name, job in _other_jobs(work, seed, steps).items()}
 
 
 def _other_jobs(work: Path, seed: int, steps: int) -> Jobs:
@@ -119,10 +114,9 @@ def _named(variant: str) -> str:
 
 
 def write_results(evaluation: Evaluation, seeds: int, steps: int) -> None:
-    """Write JSON, Markdown and PNG from the jobs that are done."""
+    """Write JSON and Markdown from the jobs that are done."""
     summary = summarise(evaluation.found(), seeds, steps)
     evaluation.write(summary, page(summary), records=False)
-    draw(summary, evaluation.results / "learning.png")
 
 
 def summarise(found: Found, seeds: int, steps: int) -> dict[str, Any]:
@@ -159,14 +153,6 @@ def summarise(found: Found, seeds: int, steps: int) -> dict[str, Any]:
         "bits": {f"{o}+{a}": by_seed(f"bits-{o}-{a}-{{}}-{steps}", few) for o, a in BITS},
         "clustered": by_seed(f"clustered-{{}}-{steps}", few),
         "variants": {name: by_seed(f"{_named(name)}-{{}}-{steps}", few) for name in VARIANTS},
-        "curves": {
-            strategy: {
-                str(rows): {job: by_seed(f"{job}-{strategy}-{{}}-{rows}") for job in ("learn", "act")}
-                for rows in sorted({*CURVE, steps})
-                if rows <= steps
-            }
-            for strategy in STRATEGIES
-        },
     }
 
 

@@ -17,7 +17,7 @@ def page(results: Mapping[str, Any]) -> str:
     rows = next((int(c["test_rows"]) for c in results["table1"][ours].values()), 0)
     return document(
         "# Learning, measured",
-        f"By `{results['command']}`, which wrote this page, `learning.json` and `learning.png`. "
+        f"By `{results['command']}`, which wrote this page and `learning.json`. "
         f"{results['steps']:,} interactions for each strategy and seed. "
         f"Machine: {listed(results['machine'])}. Mean ± standard deviation over seeds, as many as the column "
         "says; docs/learning.md says what is what."
@@ -62,9 +62,6 @@ def page(results: Mapping[str, Any]) -> str:
         "Shares of their interactions. The hand is open or closed at each of three waypoints: eight "
         "patterns, of which an eighth each would be even.",
         _went(results["went"]),
-        "## Learning curves",
-        "![Errors and primitives against interactions](learning.png)",
-        _curves(results["curves"]),
     )
 
 
@@ -187,19 +184,6 @@ def _kinds_found(cells: BySeed) -> str:
 def _went(found: Mapping[str, BySeed]) -> str:
     names = list(dict.fromkeys(name for cells in found.values() for c in cells.values() for name in c))
     return table(["", "seeds", *names], [[one, *_spread_of(cells, names)] for one, cells in found.items()])
-
-
-def _curves(curves: Mapping[str, Mapping[str, Mapping[str, BySeed]]]) -> str:
-    rows = []
-    for strategy, steps, jobs in [
-        (one, *pair) for one, by_steps in curves.items() for pair in by_steps.items()
-    ]:
-        if learned := jobs["learn"]:
-            errors = [1000 * float(np.mean(c["mae"]["model"])) for c in learned.values()]
-            r2 = _spread_of(learned, ["r2_through_codes", "r2_direct"])
-            rows.append([strategy, steps, *r2, _spread(errors, 1), _kinds_found(jobs["act"])])
-    columns = " | interactions | seeds | R2 through codes | R2 without bottleneck"
-    return table(f"{columns} | error, high effects [mm] | kinds found", rows)
 
 
 def _spread_of(cells: BySeed, names: Iterable[str]) -> list[str]:
