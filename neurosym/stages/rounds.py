@@ -50,12 +50,11 @@ _EACH = 1000
 """So many interactions of a share there are at most, if the user does not say how many."""
 _EXPLORED = 0.4
 """Share of the interactions of each round that explore."""
-_MOST_EXPLORED = 4096
-"""More are not explored for one aim: what is known then is better asked of operators."""
 _BLOCK = 512
 """So many interactions are explored between two updates of the networks."""
 _HELD = 1024
-"""Bits that were learned from so many explored interactions stay what they are."""
+"""Bits that were learned from so many explored interactions stay what they are. More are not explored for one
+aim, unless the user says so: what is known then is better asked of operators."""
 _IDLE = 0.9
 """A round that finds worthwhile performances for less than this share of its budget is the last."""
 
@@ -140,7 +139,7 @@ def rounds(
     for total in [*(total for total in doubled if _WORTH_A_ROUND * total <= ceiling), ceiling]:
         last = plan[-1] if plan else dict.fromkeys(weights, Share(0, 0))
         split = {name: total * weight // every for name, weight in weights.items()}
-        limits = {name: most.get(name) or _MOST_EXPLORED for name in weights}
+        limits = {name: most.get(name) or _HELD for name in weights}
         plan.append({name: _share(count, limits[name], last[name]) for name, count in split.items()})
     return plan
 

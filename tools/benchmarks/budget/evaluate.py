@@ -78,11 +78,6 @@ def main(
         draw(summary, results / "budget.png")
         evaluation.write(summary, page(summary))
 
-    alone = Evaluation("budget", work, results)
-    alone.perform(
-        {f"time-{name}": partial(_time, work, name) for name in _TIMED}, "timing one run", fresh=True
-    )
-    alone.perform({"ratio": partial(interaction.compare, work)}, "timing interactions", fresh=True)
     drawing, widening = heights.jobs(work, seeds)
     for number, (most, ways) in enumerate(_TURNS[:turns]):
         if number == _HEIGHTS_AFTER:
@@ -100,6 +95,11 @@ def main(
                 trying |= _tasks(work, way, seed, total, scale)
             evaluation.perform(trying, f"tasks after {total:,}")
             report()
+    alone = Evaluation("budget", work, results)
+    alone.perform(
+        {f"time-{name}": partial(_time, work, name) for name in _TIMED}, "timing one run", fresh=True
+    )
+    alone.perform({"ratio": partial(interaction.compare, work)}, "timing interactions", fresh=True)
     report()
 
 
