@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal, Optional
 
 from tyro.conf import Positional, arg
 
+from neurosym.checks import check_count
 from neurosym.choices import BUDGET, CELL, DEFAULT_STRATEGY, StrategyName
 from neurosym.commands.arguments import CPUS, Folder, Json, Seed, Workers, answer_in, opened
 from neurosym.errors import InvalidData, InvalidFile, InvalidValue, counted, listed_briefly, quoted
@@ -199,6 +200,7 @@ def distill(
     from neurosym.stages.learning import TO_OBJECTS, TO_PLACES, distill_stage
     from neurosym.stages.verdicts import judge_operators, judge_relations
 
+    check_count("interactions", interactions)
     domain, after = opened(folder), f"compile-domain {quoted(folder)}"
     options: dict[str, Any] = {"objects": objects, "budget": interactions, "seed": seed, "workers": workers}
     domain.perform(distill_stage(domain, choice=choice, **options), again=True)

@@ -37,7 +37,7 @@ from neurosym.stages.learning import AIMS, TO_OBJECTS, TO_PLACES, ledger_of
 from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.stages.rounds import Recipe, Round, Share, grow, perform, rounds
+from neurosym.stages.rounds import Recipe, Round, Share, budget_of, grow, perform, rounds
 from neurosym.stages.verdicts import Tries, judge_domain, judge_training, judge_tries, worst
 from neurosym.world import World, references_of
 from neurosym.worlds.world_file import read_world
@@ -211,8 +211,11 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
     purposes = Counter(explored=sum(len(Interactions.load(path)) for path in explored))
     for aim in AIMS:
         purposes += ledger_of(folder, aim).purposes
-    told = ", ".join(f"{count} {purpose}" for purpose, count in purposes.items())
-    say(f"{counted(purposes.total(), 'interaction')}: {told}")
+    if purposes.total() >= (total := budget_of(folder).total):  # all is kept that was performed
+        told = ", ".join(f"{count} {purpose}" for purpose, count in purposes.items())
+        say(f"{counted(purposes.total(), 'interaction')}: {told}")
+    else:
+        say(counted(total, "interaction"))
     say(f"everything lies in {folder.path}; {folder / layout.DOMAIN} is the domain")
     report = read_json(folder / layout.TRAINING, TrainingReport)
     learned = judge_training(report, Interactions.load(folder / layout.INTERACTIONS))

@@ -41,6 +41,7 @@ from neurosym.stages import layout
 from neurosym.stages.folder import Claim, DomainFolder, Stage, rehearsal_options, versions
 from neurosym.stages.plan_records import PlanRecord
 from neurosym.stages.planning import load_problem
+from neurosym.stages.rounds import budget_of
 from neurosym.tasks.options import cost
 from neurosym.world import Palette, World
 from neurosym.worlds.workers import worker_pool
@@ -322,6 +323,7 @@ def gather(folder: DomainFolder, progress: Progress, *, workers: int = 1) -> dic
         ],
         "data": explored(interactions, codes, palette, acts) if interactions and len(interactions) else None,
         "aimed": aimed_in_words(places) if places else "",
+        "total": budget_of(folder).total,
         "learned": report,
         "kept": share_kept(report) if report and report.r2_direct > 0 else None,
         "map": maps_of(atlas, palette) if atlas else None,

@@ -40,14 +40,14 @@ from neurosym.stages.verdicts import judge_domain
 
 _SEEN = 5
 """So often an operator is to be seen at least, on average."""
-_FIRST = 2000
-"""Interactions of the first round, for each aim."""
+_FIRST = 400
+"""Interactions of the first round, for each part of the weights."""
 _WORTH_A_ROUND = 1.6
 """A round is worth it if the budget is so many times as large as it, at least."""
 _WEIGHTS = {layout.OBJECTS: 6, layout.PLACES: 4, layout.RELATIONS: 5}
 """How the budget is shared by objects, places and other objects, if all are asked for."""
 _EACH = 1000
-"""So many interactions of a share there are at most, if the user does not say how many."""
+"""So many for each part there are in all, if the user does not say how many."""
 _EXPLORED = 0.4
 """Share of the interactions of each round that explore."""
 _BLOCK = 512
@@ -82,16 +82,24 @@ class Budget(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     rounds: tuple[dict[str, Spent], ...] = ()
 
     @property
+    def last(self) -> Mapping[str, Spent]:
+        """What was spent so far."""
+        return self.rounds[-1] if self.rounds else {}
+
+    @property
     def total(self) -> int:
         """All interactions that were performed, whatever for."""
-        last = self.rounds[-1] if self.rounds else {}
-        return sum(one.explored + one.performed for one in last.values())
+        return sum(one.explored + one.performed for one in self.last.values())
+
+    @property
+    def shares(self) -> "Round":
+        """What each aim got so far."""
+        return {name: Share(one.explored, one.budget) for name, one in self.last.items()}
 
     @property
     def is_idle(self) -> bool:
         """Whether the last round found too little that was worth performing."""
-        last = [*self.rounds[-1].values()] if self.rounds else []
-        return bool(last) and all(one.performed < _IDLE * one.budget for one in last)
+        return bool(self.rounds) and all(one.performed < _IDLE * one.budget for one in self.last.values())
 
 
 class Share(NamedTuple):
@@ -124,7 +132,7 @@ def rounds(
         InvalidValue: If so few interactions are of no use.
     """
     weights = {name: _WEIGHTS[name] for name in aims}
-    every, first = sum(weights.values()), _FIRST * len(weights)
+    every = sum(weights.values())
     ceiling = _EACH * every if ceiling is None else ceiling
     for name in operators.keys() & weights.keys():
         least = math.ceil(_SEEN * operators[name] * every / weights[name] / (1 - _EXPLORED))
@@ -134,7 +142,7 @@ def rounds(
                 f"--interactions {ceiling} are too few for {operators[name]} operators{of}, which are to be "
                 f"seen {_SEEN} times each; give at least {least}, or fewer bits."
             )
-    doubled = (first << number for number in range(ceiling.bit_length()))
+    doubled = (_FIRST * every << number for number in range(ceiling.bit_length()))
     plan = list[Round]()
     for total in [*(total for total in doubled if _WORTH_A_ROUND * total <= ceiling), ceiling]:
         last = plan[-1] if plan else dict.fromkeys(weights, Share(0, 0))
@@ -153,27 +161,23 @@ def _share(count: int, most: int, last: Share) -> Share:
     return Share(explored, count - explored)
 
 
-def _left_of(plan: Sequence[Round], budget: Budget) -> tuple[Budget, list[Round]]:
-    """Say what is left of a plan, and what was spent before; no share is smaller than what was spent.
-
-    If nothing is left, the last round that was done is: files may have been changed since.
+def _left_of(plan: Sequence[Round], budget: Budget) -> list[Round]:
+    """Say what is left of a plan, where no share is smaller than what was spent.
 
     Args:
         plan: The rounds.
         budget: What was spent so far.
     """
-    before = budget.rounds[-1] if budget.rounds else {}
-    done = {name: Share(one.explored, one.budget) for name, one in before.items()}
-    left, last = list[Round](), done
+    last, left = budget.shares, list[Round]()
     for asked in plan:
         more = {name: Share(*map(max, share, last.get(name, share))) for name, share in asked.items()}
         if any(last.get(name) != share for name, share in more.items()):
             left.append(more)
             last = {**last, **more}
-    return (budget, left) if left else (Budget(budget.rounds[:-1]), [done] if done else [])
+    return left
 
 
-def _budget_of(folder: DomainFolder) -> Budget:
+def budget_of(folder: DomainFolder) -> Budget:
     """Read what the rounds that are done were spent on."""
     path = folder / layout.BUDGET
     return read_json(path, Budget) if path.is_file() else Budget()
@@ -253,23 +257,25 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
     """
     if is_open and not (folder / layout.BUDGET).exists():
         write_json(folder / layout.BUDGET, Budget())  # it says that there are rounds
-    budget, left = _left_of(plan, _budget_of(folder) if is_open else Budget())
+    budget = budget_of(folder) if is_open else Budget()
+    left = _left_of(plan, budget)
     count = len(budget.rounds) + len(left)
-    if left:
-        recipe.check(folder, left[-1])
+    recipe.check(folder, left[-1] if left else budget.shares)
+    if not left:
+        perform(folder, compile_stage(folder, cell=CELL))
+        return
     with folder.claimed(Claim.SHARED), _workshop(folder) as workshop:
         for shares in left:
             if budget.is_idle:
                 say("the last round found too little that was worth performing, so this is the end")
                 break
-            before = budget.rounds[-1] if budget.rounds else {}
-            aims = [aim for aim in AIMS if aim.folder in shares]
             spent = {
-                aim.folder: recipe.learn(workshop, aim, shares[aim.folder], before.get(aim.folder))
-                for aim in aims
+                aim.folder: recipe.learn(workshop, aim, shares[aim.folder], budget.last.get(aim.folder))
+                for aim in AIMS
+                if aim.folder in shares
             }
-            budget = Budget((*budget.rounds, {**before, **spent}))
-            if is_open and budget != _budget_of(workshop):
+            budget = Budget((*budget.rounds, {**budget.last, **spent}))
+            if is_open and budget != budget_of(workshop):
                 write_json(workshop / layout.BUDGET, budget)
             _publish(workshop, folder)
             if is_open:

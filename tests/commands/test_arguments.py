@@ -127,6 +127,7 @@ PLACES = {
 COSTLY = {
     *((command, "--seed", WHOLE[2]) for command in ("train", "distill")),
     *((command, "--places", WHOLE[2]) for command in ("explore", "run")),
+    ("distill", "--interactions", WHOLE[2]),
 }
 """Values as good as any: the command does its work, for as long as it is let."""
 

@@ -30,17 +30,28 @@ RUN = [
 ]
 RUN += ["--object-bits", "1", "--action-bits", "2"]  # eight operators
 FOR_OBJECTS = ["--places", 0]
-FILES = (layout.INTERACTIONS, layout.PRIMITIVES, layout.DOMAIN, layout.BUDGET, "places/operators.json")
+OF_OBJECTS = layout.INTERACTIONS, layout.PRIMITIVES, layout.LEDGER
+FILES = (*OF_OBJECTS, layout.DOMAIN, layout.BUDGET)
 
 
-@pytest.fixture(autouse=True)
-def small(monkeypatch):
+@pytest.fixture(autouse=True, scope="module")
+def small():
     """Let rounds begin small, and training take a moment."""
-    monkeypatch.setattr(rounds, "_FIRST", 175)
-    monkeypatch.setattr(rounds, "_HELD", 100)
     naming = replace(BRIEF.naming, steps=100)  # so that there are actions with most codes
     brief = replace(REGIMES["quick"], model=SMALL, training=replace(BRIEF, naming=naming))
-    monkeypatch.setitem(REGIMES, "quick", brief)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(rounds, "_FIRST", 30)
+        patch.setattr(rounds, "_HELD", 72)
+        patch.setitem(REGIMES, "quick", brief)
+        yield
+
+
+@pytest.fixture(scope="module")
+def alone(small, tmp_path_factory):
+    """What is learned of objects alone, in two rounds."""
+    folder = tmp_path_factory.mktemp("alone") / "whole"
+    assert spend(folder, 350, *FOR_OBJECTS) == 0
+    return folder
 
 
 def spend(folder, count, *options):
@@ -48,26 +59,27 @@ def spend(folder, count, *options):
 
 
 def contents(folder):
-    return {name: (folder / name).read_bytes() for name in FILES if (folder / name).exists()}
+    return {name: (folder / name).read_bytes() for name in FILES}
 
 
-def test_rounds_end_with_a_domain_each_and_never_exceed_the_budget(tmp_path, capsys):
-    assert spend(tmp_path / "whole", 700) == 0
+def test_rounds_end_with_a_domain_each_and_never_exceed_the_budget(alone, tmp_path, capsys):
+    assert spend(tmp_path / "whole", 584) == 0
     said = capsys.readouterr().out
     budget = read_json(tmp_path / "whole" / layout.BUDGET, rounds.Budget)
-    assert len(budget.rounds) == 2  # 350, 700
-    assert 600 <= budget.total <= 700
-    for number, (count, most) in enumerate(((1, 350), (2, 700)), 1):
+    assert len(budget.rounds) == 2  # 300, 584
+    assert 500 <= budget.total <= 584
+    for number, (count, most) in enumerate(((1, 300), (2, 584)), 1):
         done = rounds.Budget(budget.rounds[:count])
         assert done.total <= most
         assert f"round {number} of 2: {done.total} interactions so far" in said
     assert said.count("compile-domain: done") == 2
     assert f"{budget.total} interactions: " in said
+    for name in OF_OBJECTS:  # with places or without, since their share is the same
+        assert (tmp_path / "whole" / name).read_bytes() == (alone / name).read_bytes()
 
 
-def test_interrupted_and_continued_runs_end_with_the_same_bytes(tmp_path, monkeypatch):
-    assert spend(tmp_path / "whole", 350, *FOR_OBJECTS) == 0
-    wanted, inner, calls = contents(tmp_path / "whole"), Ledger.perform, []
+def test_interrupted_and_continued_runs_end_with_the_same_bytes(alone, tmp_path, monkeypatch):
+    folder, inner, calls = tmp_path / "broken", Ledger.perform, []
 
     def interrupted(*given, **options):
         calls.append(1)
@@ -76,16 +88,15 @@ def test_interrupted_and_continued_runs_end_with_the_same_bytes(tmp_path, monkey
         return inner(*given, **options)
 
     monkeypatch.setattr(Ledger, "perform", interrupted)
-    assert spend(tmp_path / "broken", 350, *FOR_OBJECTS) != 0
-    assert read_json(tmp_path / "broken" / layout.BUDGET, rounds.Budget) == rounds.Budget()
-    assert spend(tmp_path / "broken", 350, *FOR_OBJECTS) == 0
-    assert contents(tmp_path / "broken") == wanted
-    assert spend(tmp_path / "begun", 175, *FOR_OBJECTS) == 0  # and more later
-    assert spend(tmp_path / "begun", 350, *FOR_OBJECTS) == 0
-    assert contents(tmp_path / "begun") == wanted
-    before = {path: path.stat().st_mtime_ns for path in (tmp_path / "whole").rglob("*")}
-    assert spend(tmp_path / "whole", 350, *FOR_OBJECTS) == 0
-    assert {path: path.stat().st_mtime_ns for path in (tmp_path / "whole").rglob("*")} == before
+    assert spend(folder, 180, *FOR_OBJECTS) != 0
+    assert read_json(folder / layout.BUDGET, rounds.Budget) == rounds.Budget()
+    assert spend(folder, 180, *FOR_OBJECTS) == 0
+    assert len(read_json(folder / layout.BUDGET, rounds.Budget).rounds) == 1
+    assert spend(folder, 350, *FOR_OBJECTS) == 0  # more later
+    assert contents(folder) == contents(alone)
+    before = {path: path.stat().st_mtime_ns for path in folder.rglob("*")}
+    assert spend(folder, 350, *FOR_OBJECTS) == 0
+    assert {path: path.stat().st_mtime_ns for path in folder.rglob("*")} == before
 
 
 def test_others_plan_while_a_round_works_and_nobody_else_learns(tmp_path, monkeypatch, capsys):

@@ -28,6 +28,7 @@ from neurosym.report.overview import promises_of, share_kept
 from neurosym.report.run_film import film_of_run, step_named
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.rounds import Budget, Spent
 from neurosym.world import Palette
 
 VOID = {"meta", "link", "img", "input"}
@@ -235,6 +236,14 @@ def test_every_interaction_is_counted_once(toy_folder):
     assert sum(shares.values()) == pytest.approx(1.0)
     for rows in (1, 2, 300):
         assert len(explored(data[:rows])["charts"]) == 4
+
+
+def test_all_interactions_of_a_budget_are_told(reported, tmp_path):
+    folder = shutil.copytree(reported, tmp_path / "told")
+    write_json(folder / "budget.json", Budget(({"": Spent(800, 200, 200), "places": Spent(500, 34, 100)},)))
+    assert neurosym("report", folder) == 0
+    assert "In all, 1,534 interactions were performed" in (folder / "report.html").read_text()
+    assert "interactions were performed" not in (reported / "report.html").read_text()
 
 
 def test_effects_are_drawn_by_outcome_without_colours_and_by_symbol_in_its_colour(toy_folder):

@@ -65,7 +65,7 @@ def test_goal_is_dragged_planned_to_and_run(window):
     window.open("Plan")
     window.press("Plan")
     window.wait(lambda: session.plans and not session.planning)
-    window.tab.get_by_text("found a plan of").wait_for(timeout=1000 * SLOW)
+    window.tab.get_by_test_id("floating-panel").get_by_text("found a plan of").wait_for(timeout=1000 * SLOW)
     window.open("Run")
     window.press("Run")
     window.wait(lambda: window.page.drawn > 20)
