@@ -82,8 +82,8 @@ def run(
     places: Annotated[
         Optional[int],
         arg(
-            help="Interactions besides that explore what carries objects to places, at most; 0 for none. By "
-            "default as many as there are for it, or with --steps from 1024 on a quarter of these."
+            help="Interactions that explore what carries objects to places, at most; 0 for none. By default "
+            "1024, or with --steps from 1024 on a quarter of these."
         ),
     ] = None,
     relations: Relations = 0,
@@ -99,7 +99,7 @@ def run(
         raise InvalidValue("--steps explores at once, and --interactions is a budget for rounds; give one.")
     operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
     if interactions is not None:  # refuse too few before a folder is made
-        rounds(interactions, (layout.OBJECTS,), operators={layout.OBJECTS: operators[0]})
+        rounds(interactions, (layout.OBJECTS,), {layout.OBJECTS: operators[0]}, {})
     domain = _begun(folder, world)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = _explored(domain)
@@ -139,13 +139,7 @@ def _plan(
     _check_aims(folder, world, asked[1], asked[2])
     aims = [aim.folder for aim, is_asked in zip(AIMS, asked, strict=True) if is_asked]
     least = dict(zip((layout.OBJECTS, layout.PLACES), operators, strict=True))
-    return rounds(
-        interactions, aims, most={layout.PLACES: places, layout.RELATIONS: relations}, operators=least
-    )
-
-
-def _grounding(folder: DomainFolder) -> Grounding:
-    return Grounding.load(folder / layout.GROUNDING)
+    return rounds(interactions, aims, least, {layout.PLACES: places, layout.RELATIONS: relations})
 
 
 def _begun(folder: Folder, world: str | None) -> DomainFolder:
@@ -221,6 +215,6 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
     learned = judge_training(report, Interactions.load(folder / layout.INTERACTIONS))
     runs = [run for _, run in tried if run]
     tries = Tries(sum(run.reached for run in runs), len(runs), len(tried))
-    compiled = judge_domain(_grounding(folder))
+    compiled = judge_domain(Grounding.load(folder / layout.GROUNDING))
     for line in worst((learned, compiled, judge_tries({_PLANNER: tries}))).lines:
         say(line)

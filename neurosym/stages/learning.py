@@ -117,7 +117,7 @@ class Aim:
     stored: Callable[[Any], object] = lambda table: table
     chosen: Callable[[Path], tuple[Primitive, ...]] = lambda path: OperatorTable.load(path).primitives
     origin: Mapping[str, Any] = field(default_factory=dict)
-    learn: Callable[[DomainFolder, Interactions, Regime, int], dict[str, Any]] = lambda *_: {}
+    learn: Callable[..., dict[str, Any]] = lambda *_: {}
 
     def file(self, name: str) -> str:
         """Return where one of its files is in the domain folder."""
@@ -152,24 +152,32 @@ def _with_known_motions(folder: DomainFolder, factory: WorldFactory) -> WorldFac
 
 
 def _learn_states(
-    folder: DomainFolder, interactions: Interactions, regime: Regime, seed: int
+    folder: DomainFolder,
+    interactions: Interactions,
+    more: Interactions | None,
+    held: Held,
+    regime: Regime,
+    seed: int,
 ) -> dict[str, Any]:
-    """Find the states of pairs, and learn to foresee them."""
+    """Find the states of pairs unless they are held, and learn from all that happened to foresee them."""
     from neurosym.learning.state_codes import ends_in, fit_chances, learn_states
 
     path = folder / layout.RELATION_INTERACTIONS
     if not np.any(interactions.effects[:, -1]):
         raise InvalidFile(path, "nothing was carried to another object; explore more")
-    rng = np.random.default_rng([seed, _STREAM])
-    world = RelatedFactory(read_world(folder.require(layout.WORLD)))()
-    scenes = (world.sample_scene(rng, 1).whole for _ in range(_FRESH))  # type: ignore[attr-defined]
-    fresh = np.array([describe_pair(scene, TARGET, REFERENCE, ()) for scene in scenes])
-    states = learn_states(fresh, *ends_in(interactions), STATE_BITS, rng)
+    if held.bits:
+        states = PairStates.load(folder.require(layout.RELATION_STATES))
+    else:
+        rng = np.random.default_rng([seed, _STREAM])
+        world = RelatedFactory(read_world(folder.require(layout.WORLD)))()
+        scenes = (world.sample_scene(rng, 1).whole for _ in range(_FRESH))  # type: ignore[attr-defined]
+        fresh = np.array([describe_pair(scene, TARGET, REFERENCE, ()) for scene in scenes])
+        states = learn_states(fresh, *ends_in(interactions), STATE_BITS, rng)
     if not states.bearing:
         raise InvalidFile(path, "no object came to bear another one; explore more")
     with progress_bar("learning what is foreseen of pairs") as advance:
         chances = fit_chances(
-            interactions,
+            interactions if more is None else interactions.join(more),
             states,
             regime.training,
             seed=seed,
@@ -413,7 +421,7 @@ def train_stage(
         more = None
         if held.performed:
             more = ledger_of(folder, aim).interactions(interactions.origin, held.performed)
-        files: dict[str, Any] = aim.learn(folder, interactions, chosen, seed)
+        files: dict[str, Any] = aim.learn(folder, interactions, more, held, chosen, seed)
         with progress_bar(f"training {aim.folder}".rstrip()) as advance:
             trained = train(
                 interactions,

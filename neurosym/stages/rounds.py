@@ -11,7 +11,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
-from types import MappingProxyType
 from typing import Annotated, Any, NamedTuple
 
 import msgspec
@@ -116,9 +115,8 @@ Round = dict[str, Share]
 def rounds(
     ceiling: int | None,
     aims: Sequence[str],
-    *,
     operators: Mapping[str, int],
-    most: Mapping[str, int | None] = MappingProxyType({}),
+    most: Mapping[str, int | None],
 ) -> list[Round]:
     """Say how much each aim gets in each round, all rounds before it included.
 
