@@ -37,7 +37,7 @@ from neurosym.stages.learning import AIMS, TO_OBJECTS, TO_PLACES, ledger_of
 from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.stages.rounds import Recipe, Round, Share, budget_of, grow, perform, rounds
+from neurosym.stages.rounds import Recipe, Round, Share, budget_of, explored_in, grow, perform, rounds
 from neurosym.stages.verdicts import Tries, judge_domain, judge_training, judge_tries, worst
 from neurosym.world import World, references_of
 from neurosym.worlds.world_file import read_world
@@ -45,10 +45,6 @@ from neurosym.worlds.world_file import read_world
 _PLANNER = "fast-downward"
 _MOST_PROBLEMS = 30
 """How many problems are drawn at most, if none of those asked for has a plan."""
-_PLACES_FOR = 4
-"""With --steps, for so many there is one that is aimed at a place, if the user does not say how many."""
-_LEAST_STEPS = 1024
-"""From so few steps nothing is learned of places, unless the user says so."""
 
 
 def run(
@@ -83,7 +79,7 @@ def run(
         Optional[int],
         arg(
             help="Interactions that explore what carries objects to places, at most; 0 for none. By default "
-            "1024, or with --steps from 1024 on a quarter of these."
+            "1024, and none with --steps."
         ),
     ] = None,
     relations: Relations = 0,
@@ -102,7 +98,7 @@ def run(
         rounds(interactions, (layout.OBJECTS,), {layout.OBJECTS: operators[0]}, {})
     domain = _begun(folder, world)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
-        steps = _explored(domain)
+        steps = explored_in(domain).get(layout.OBJECTS, Share(0, 0)).explored or None
     known = read_world(domain.require(layout.WORLD))()
     plan = _plan(domain, known, interactions, steps, places, relations, operators)
     recipe = Recipe(strategy, regime, choice, rehearsals, seed, workers, bits)
@@ -113,12 +109,6 @@ def run(
     _conclude(domain, tried)
     say_next(f"neurosym plan {quoted(folder)} task-01 --planner bfs")
     return 0
-
-
-def _explored(folder: DomainFolder) -> int | None:
-    """Return how much was explored at once, as earlier versions did and `neurosym explore` does."""
-    path = folder / layout.INTERACTIONS
-    return len(Interactions.load(path)) if path.is_file() else None
 
 
 def _plan(
@@ -132,10 +122,16 @@ def _plan(
 ) -> list[Round]:
     """Say how much each aim gets in each round; the number of operators is that of objects, and of places."""
     if steps is not None:
-        explored = _counts(folder, world, steps, places, relations)
-        return [{aim.folder: Share(n, BUDGET) for aim, n in zip(AIMS, explored, strict=True) if n}]
-    takes = "place" in references_of(world)
-    asked = True, takes if places is None else places > 0, relations > 0
+        there = [explored_in(folder).get(aim.folder, Share(0, 0)).explored for aim in AIMS]
+        counts = steps, max(places or 0, there[1]), max(relations, there[2])
+        _check_aims(folder, world, counts[1] > 0, counts[2] > 0)
+        return [{aim.folder: Share(n, BUDGET) for aim, n in zip(AIMS, counts, strict=True) if n}]
+    takes, learned = "place" in references_of(world), budget_of(folder).last
+    if places == 0 and layout.PLACES in learned:
+        raise InvalidValue(
+            f"{folder.path} has learned of places, which go with the rest; leave out --places 0."
+        )
+    asked = True, takes if places is None else places > 0, relations > 0 or layout.RELATIONS in learned
     _check_aims(folder, world, asked[1], asked[2])
     aims = [aim.folder for aim, is_asked in zip(AIMS, asked, strict=True) if is_asked]
     least = dict(zip((layout.OBJECTS, layout.PLACES), operators, strict=True))
@@ -149,22 +145,6 @@ def _begun(folder: Folder, world: str | None) -> DomainFolder:
     elif world and (found := read_world(folder / layout.WORLD).args[0]) != world:
         raise InvalidValue(f"{folder} is of the world {found!r}, not {world!r}; name another folder.")
     return opened(folder)
-
-
-def _counts(
-    folder: DomainFolder, world: World, steps: int, places: int | None, relations: int
-) -> tuple[int, int, int]:
-    """Say how many interactions each aim gets; those that nothing can be learned from are refused.
-
-    If the user does not say how many are aimed at places, there are no fewer than there were.
-    """
-    if places is None:
-        path, usual = folder / layout.PLACE_INTERACTIONS, steps // _PLACES_FOR
-        there = len(Interactions.load(path)) if path.is_file() else 0
-        places = max(there, usual if steps >= _LEAST_STEPS else 0)
-        places = places if "place" in references_of(world) else 0
-    _check_aims(folder, world, places > 0, relations > 0)
-    return steps, places, relations
 
 
 def _check_aims(folder: DomainFolder, world: World, places: bool, relations: bool) -> None:

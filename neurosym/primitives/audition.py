@@ -69,7 +69,6 @@ CANDIDATES = 8
 """How many candidates of a symbol are auditioned at most for a category."""
 _OBJECTS_TO_PREDICT = 40  # objects of the category on which the effects of every candidate are predicted
 _FEW, _SURE = 5, 0.1  # rehearsals of an operator that is hardly ever sure: less than so
-_CATEGORIES = 4  # for so many of which the objects to rehearse on are meant
 
 
 def choose_own(
@@ -97,25 +96,15 @@ def choose_own(
     chosen = {kind: contest.best(trust) for kind, contest in contests.items()}
     own = [(kind, contest, one) for kind, contest in contests.items() for one in chosen[kind]]
     seen = [len(contest.seen.get(one, ())) if world_factory is search.shown else 0 for _, contest, one in own]
-    is_sure = [contest.judged(one, trust).sureness >= _SURE for _, contest, one in own]
-    enough = _affordable(seen, is_sure, search)
+    sureness = [contest.judged(one, trust).sureness for _, contest, one in own]
+    most = [search.objects if sure >= _SURE else _FEW for sure in sureness]
+    enough = search.affordable(seen, most)
     times = {
-        (kind, one): max(count, enough if sure else min(_FEW, enough))
-        for (kind, _, one), count, sure in zip(own, seen, is_sure, strict=True)
+        (kind, one): max(count, min(enough, limit))
+        for (kind, _, one), count, limit in zip(own, seen, most, strict=True)
     }
     shared = [_most_shared(group, chosen, sample) for group in _by_symbol(search.candidates)]
     return with_own(shared, chosen, times)
-
-
-def _affordable(seen: Sequence[int], is_sure: Sequence[bool], search: Search) -> int:
-    """Return on how many objects sure actions can be rehearsed, others on few; all performed before."""
-
-    def cost(enough: int) -> int:
-        wanted = (enough if sure else min(_FEW, enough) for sure in is_sure)
-        return sum(max(0, count - there) for count, there in zip(wanted, seen, strict=True))
-
-    counts = range(max(1, search.objects // _CATEGORIES), 0, -1)
-    return next((enough for enough in counts if cost(enough) <= search.left), 0)
 
 
 def _contest(search: Search, sample: Sample, kind: str, foresee: Foresee) -> Contest:

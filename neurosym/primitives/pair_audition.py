@@ -41,6 +41,7 @@ from neurosym.primitives.rehearsal import (
     Rehearsals,
     means_for_naming,
     name_categories,
+    rehearsal_sample,
     rounded,
 )
 from neurosym.primitives.reliability import Judgement, end_state, sureness, watch
@@ -67,6 +68,7 @@ LEAST = 0.1
 """Actions that are foreseen, or that turn out, to bring about a state less surely are left out for it."""
 # What is foreseen of an action counts as much as so many performances: few tell little of rare outcomes.
 _FORESEEN_COUNTS = 10
+_ALONE = 0.7  # share of what is left that rehearses pairs; the rest rehearses among others
 _CHOICE_STREAM = 0x7063  # keeps these draws apart from those of other auditions and rehearsals
 
 
@@ -108,7 +110,14 @@ def choose_for_pairs(search: Search, states: PairStates) -> Repertoire:
     best: dict[str, Primitive] = {}  # of each symbol what encodes to it best; it names the others
     for one in sorted(candidates, key=lambda one: (one.symbol, one.code_error)):
         best.setdefault(one.symbol, one)
-    return with_own([*best.values()], chosen)
+    pairs = rehearsal_sample(
+        made(search.shown), search.categorise, objects=search.objects, seed=search.seed
+    ).scenes
+    own = [(kind, one) for kind, ones in chosen.items() for one in ones]
+    seen = [len(search.ledger.recall(tasks_of(one, pairs.get(kind, [])))) for kind, one in own]
+    enough = search.affordable(seen, share=_ALONE)
+    times = {pair: max(count, enough) for pair, count in zip(own, seen, strict=True)}
+    return with_own([*best.values()], chosen, times)
 
 
 def _contests(
@@ -202,7 +211,8 @@ def rehearse_among(search: Search, table: RelationOperators, rehearsals: Rehears
     primitives = {one.label: one for one in table.primitives}
     motions = dict.fromkeys((one.subject, one.label) for one in worthy.values())
     keys = [(*motion, how) for motion in motions for how in pool]
-    tasks = [tasks_of(primitives[label], pool[how].get(pair, [])[:AMONG]) for pair, label, how in keys]
+    most = min(AMONG, search.left // max(1, len(keys)))
+    tasks = [tasks_of(primitives[label], pool[how].get(pair, [])[:most]) for pair, label, how in keys]
     factory = RelatedFactory(search.world_factory)
     with search.open_bar("rehearsing where pairs bear others") as advance:
         ended = perform_each(search.ledger, factory, tasks, REHEARSED, advance)

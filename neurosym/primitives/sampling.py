@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 
 from neurosym.errors import Progress
-from neurosym.operators import Categorise, OperatorTable, Primitive, Symbol, all_symbols, symbols_of
+from neurosym.operators import Categorise, Primitive, Symbol, all_symbols, symbols_of
 from neurosym.primitives.ledger import Ledger
 from neurosym.world import Outcome, Scene, World, WorldFactory
 from neurosym.worlds.workers import Task
@@ -144,18 +144,6 @@ def with_own(
         own[category] = tuple(labels[action.symbol, action.action] for action in actions)
     labelled = {(kind, labels[one.symbol, one.action]): count for (kind, one), count in times.items()}
     return Repertoire(shared_by_all(primitives).primitives, own, labelled)
-
-
-def repertoire_of(table: OperatorTable) -> Repertoire:
-    """Return the repertoire that a table of operators was made with."""
-    if not any(primitive.variant for primitive in table.primitives):
-        return shared_by_all(table.primitives)
-    own = {
-        category.symbol: tuple(op.label for op in table.operators if op.subject == category.symbol)
-        for category in table.categories
-        if category.share
-    }
-    return Repertoire(table.primitives, own)
 
 
 def next_variant(primitives: Sequence[Primitive], symbol: Symbol) -> str:

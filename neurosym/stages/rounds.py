@@ -6,9 +6,8 @@ goes on from what it wrote.
 """
 
 import math
-import shutil
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
 from typing import Annotated, Any, NamedTuple
@@ -16,9 +15,10 @@ from typing import Annotated, Any, NamedTuple
 import msgspec
 
 from neurosym.choices import CELL, StrategyName
+from neurosym.data.interactions import Interactions
 from neurosym.data.origin import own_name
 from neurosym.errors import InvalidFile, InvalidValue, counted
-from neurosym.files import digests, make_folder, read_json, write_json
+from neurosym.files import digests, make_folder, read_json, refuse_other_kinds, write_json
 from neurosym.grounding import Grounding
 from neurosym.stages import layout
 from neurosym.stages.compilation import compile_stage
@@ -68,11 +68,13 @@ class Spent(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         explored: Interactions explored so far.
         performed: Interactions performed so far to choose and measure operators.
         budget: How many these might be.
+        symbols: From how many explored ones the symbols were learned.
     """
 
     explored: Count
     performed: Count
     budget: Count
+    symbols: Count = 0
 
 
 class Budget(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -132,14 +134,14 @@ def rounds(
     weights = {name: _WEIGHTS[name] for name in aims}
     every = sum(weights.values())
     ceiling = _EACH * every if ceiling is None else ceiling
-    for name in operators.keys() & weights.keys():
-        least = math.ceil(_SEEN * operators[name] * every / weights[name] / (1 - _EXPLORED))
-        if ceiling < least:
-            of = f" of {name}" if name else ""
-            raise InvalidValue(
-                f"--interactions {ceiling} are too few for {operators[name]} operators{of}, which are to be "
-                f"seen {_SEEN} times each; give at least {least}, or fewer bits."
-            )
+    known = [name for name in weights if name in operators]
+    least = {n: math.ceil(_SEEN * operators[n] * every / weights[n] / (1 - _EXPLORED)) for n in known}
+    if ceiling < least[name := max(least, key=lambda name: least[name])]:
+        of = f" of {name}" if name else ""
+        raise InvalidValue(
+            f"--interactions {ceiling} are too few for {operators[name]} operators{of}, which are to be "
+            f"seen {_SEEN} times each; give at least {least[name]}, or fewer bits."
+        )
     doubled = (_FIRST * every << number for number in range(ceiling.bit_length()))
     plan = list[Round]()
     for total in [*(total for total in doubled if _WORTH_A_ROUND * total <= ceiling), ceiling]:
@@ -159,16 +161,20 @@ def _share(count: int, most: int, last: Share) -> Share:
     return Share(explored, count - explored)
 
 
-def _left_of(plan: Sequence[Round], budget: Budget) -> list[Round]:
-    """Say what is left of a plan, where no share is smaller than what was spent.
+def _left_of(plan: Sequence[Round], last: Round) -> list[Round]:
+    """Say what is left of a plan: no part of a share is smaller than was spent, nor its sum than was asked.
 
     Args:
         plan: The rounds.
-        budget: What was spent so far.
+        last: What was spent so far.
     """
-    last, left = budget.shares, list[Round]()
+    left = list[Round]()
     for asked in plan:
-        more = {name: Share(*map(max, share, last.get(name, share))) for name, share in asked.items()}
+        more = dict[str, Share]()
+        for name, share in asked.items():
+            before, total = last.get(name, Share(0, 0)), sum(share)
+            explored = max(before.explored, min(share.explored, total - before.budget))
+            more[name] = Share(explored, total - explored) if total > sum(before) else before
         if any(last.get(name) != share for name, share in more.items()):
             left.append(more)
             last = {**last, **more}
@@ -177,8 +183,8 @@ def _left_of(plan: Sequence[Round], budget: Budget) -> list[Round]:
 
 def budget_of(folder: DomainFolder) -> Budget:
     """Read what the rounds that are done were spent on."""
-    path = folder / layout.BUDGET
-    return read_json(path, Budget) if path.is_file() else Budget()
+    refuse_other_kinds(path := folder / layout.BUDGET)
+    return read_json(path, Budget, "; remove it to begin with a first round") if path.is_file() else Budget()
 
 
 _BEGAN = "began.json"
@@ -207,13 +213,6 @@ class Recipe:
     workers: int
     bits: Mapping[str, int | None]
 
-    def check(self, folder: DomainFolder, shares: Round) -> None:
-        """Refuse to explore what a user's own data, or other interactions, stand in the place of."""
-        for aim in AIMS:
-            if aim.folder in shares:
-                name = own_name(self.strategy)
-                check_steps(folder, shares[aim.folder].explored, aim, strategy=name, seed=self.seed)
-
     def learn(self, folder: DomainFolder, aim: Aim, share: Share, before: Spent | None) -> Spent:
         """Explore, train and distil for an aim, as far as its share of a round goes.
 
@@ -226,7 +225,8 @@ class Recipe:
         held = Held()
         if before is not None:
             there = len(ledger_of(folder, aim))  # none if another version performed it
-            held = Held(min(before.performed, there), min(share.explored, before.explored) >= _HELD)
+            is_little = share.budget < 2 * before.performed  # to measure what other symbols mean
+            held = Held(min(before.performed, there), is_little or before.symbols >= _HELD)
         fitting: dict[str, Any] = {"seed": self.seed, "regime": self.regime}
         fitting |= self.bits if aim is OBJECTS else {}
         searching: dict[str, Any] = {"objects": self.objects, "choice": self.choice, "seed": self.seed}
@@ -238,7 +238,8 @@ class Recipe:
             distill_stage(folder, aim, held=held, workers=self.workers, **searching),
         ):
             perform(folder, stage)
-        return Spent(share.explored, len(ledger_of(folder, aim)), share.budget)
+        symbols = before.symbols if before is not None and held.bits else share.explored
+        return Spent(share.explored, len(ledger_of(folder, aim)), share.budget, symbols)
 
 
 def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open: bool) -> None:
@@ -253,15 +254,19 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
     Raises:
         FolderTaken: If another process learns in the folder.
     """
-    if is_open and not (folder / layout.BUDGET).exists():
-        write_json(folder / layout.BUDGET, Budget())  # it says that there are rounds
     budget = budget_of(folder) if is_open else Budget()
-    left = _left_of(plan, budget)
-    count = len(budget.rounds) + len(left)
-    recipe.check(folder, left[-1] if left else budget.shares)
+    left = _left_of(plan, budget.shares or (explored_in(folder) if is_open else {}))
+    for aim in (aim for aim in AIMS if aim.folder in plan[-1]):  # refuse a user's own data, and other draws
+        asked, name = (left or [budget.shares])[-1][aim.folder].explored, own_name(recipe.strategy)
+        check_steps(folder, asked, aim, strategy=name, seed=recipe.seed)
     if not left:
+        done = counted(budget.total, "interaction")
+        say(f"{done} were performed already; more --interactions than that go on from there")
         perform(folder, compile_stage(folder, cell=CELL))
         return
+    if is_open and not (folder / layout.BUDGET).exists():
+        write_json(folder / layout.BUDGET, Budget())  # it says that there are rounds
+    count = len(budget.rounds) + len(left)
     with folder.claimed(Claim.SHARED), _workshop(folder) as workshop:
         for shares in left:
             if budget.is_idle:
@@ -280,6 +285,12 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
                 can = judge_domain(Grounding.load(folder / layout.GROUNDING)).lines[0]
                 done = f"round {len(budget.rounds)} of {count}"
                 say(f"{done}: {counted(budget.total, 'interaction')} so far; {can}")
+
+
+def explored_in(folder: DomainFolder) -> Round:
+    """Say what was explored before there were rounds."""
+    paths = {aim.folder: folder / aim.file(layout.INTERACTIONS) for aim in AIMS}
+    return {name: Share(len(Interactions.load(path)), 0) for name, path in paths.items() if path.is_file()}
 
 
 def perform(folder: DomainFolder, stage: Stage) -> None:
@@ -324,7 +335,11 @@ def _workshop(folder: DomainFolder) -> Iterator[DomainFolder]:
             workshop.take_over(folder, _files())
             write_json(began, now)
         yield workshop
-        shutil.rmtree(path)
+        for name in (*_files(), layout.MANIFEST, _BEGAN):
+            (path / name).unlink(missing_ok=True)
+        for place in (path / layout.PLACES, path / layout.RELATIONS, path):
+            with suppress(OSError):  # what else is there stays
+                place.rmdir()
 
 
 def _publish(workshop: DomainFolder, folder: DomainFolder) -> None:

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import msgspec
+import numpy as np
 import pytest
 from command_line import neurosym, refusal
 from toy_learning import BRIEF, SMALL
@@ -97,6 +98,34 @@ def test_interrupted_and_continued_runs_end_with_the_same_bytes(alone, tmp_path,
     before = {path: path.stat().st_mtime_ns for path in folder.rglob("*")}
     assert spend(folder, 350, *FOR_OBJECTS) == 0
     assert {path: path.stat().st_mtime_ns for path in folder.rglob("*")} == before
+
+
+@pytest.mark.parametrize("most", [{"": None}, {"": 3000, "places": 700}])
+def test_going_on_never_exceeds_the_larger_budget_nor_takes_back_what_was_spent(most, monkeypatch):
+    monkeypatch.setattr(rounds, "_FIRST", 400)
+    rng = np.random.default_rng(7)
+    for _ in range(300):
+        last, ceilings = {}, np.sort(rng.integers(1000, 30_000, size=3)).tolist()
+        for ceiling in ceilings:
+            for more in rounds._left_of(rounds.rounds(ceiling, [*most], {"": 4}, most), last):
+                assert sum(map(sum, more.values())) <= ceiling
+                for name, share in last.items():
+                    assert share.explored <= more[name].explored
+                    assert share.budget <= more[name].budget
+                last = more
+        assert sum(map(sum, last.values())) > ceilings[-1] - 2
+
+
+def test_symbols_are_learned_anew_only_if_enough_is_left_to_measure_them(tmp_path, monkeypatch):
+    asked = []
+    recipe = rounds.Recipe("random", "quick", "own", 100, 3, 1, {})
+    monkeypatch.setattr(rounds, "perform", lambda *_: None)
+    monkeypatch.setattr(rounds, "ledger_of", lambda *_: range(100))
+    monkeypatch.setattr(rounds, "train_stage", lambda *_, held, **__: asked.append(held))
+    for explored, budget, symbols in ((60, 150, 50), (60, 250, 50), (200, 250, 72)):
+        before = rounds.Spent(50, 100, 100, symbols)
+        recipe.learn(DomainFolder(tmp_path), rounds.OBJECTS, rounds.Share(explored, budget), before)
+    assert [held.bits for held in asked] == [True, False, True]
 
 
 def test_others_plan_while_a_round_works_and_nobody_else_learns(tmp_path, monkeypatch, capsys):

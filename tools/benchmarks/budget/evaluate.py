@@ -48,6 +48,7 @@ _OF_PAIRS = (
     layout.RELATION_OPERATORS,
 )
 _REHEARSED = 800  # interactions that stages rehearse with: thirty on each of four categories at least
+_LITTLE = 2000  # with a smaller budget a run is one of its own, and does not go on
 _TURNS = (
     (2000, ("one-budget", STAGES, "random", "entropy")),
     (10_000, ("with-places",)),
@@ -129,7 +130,8 @@ def _time(work: Path, name: str) -> dict[str, float]:
 
 def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
     """Go on with a run until so many interactions, and keep what it takes to try it; say what that took."""
-    folder, begin, known = work / f"{way}-{seed}", cpu_seconds(), WAYS[way]
+    begin, known = cpu_seconds(), WAYS[way]
+    folder = work / f"{way}-{seed}-{'little' if total < _LITTLE else 'run'}"
     chosen: dict[str, Any] = {"seed": seed, "workers": 1, "problems": 0, "places": 0, **known.options}
     if way == STAGES:
         shutil.rmtree(folder, ignore_errors=True)
