@@ -189,8 +189,7 @@ def _why_unkept(table: OperatorTable, judged: Collection[Operator], sure: int) -
     # what an operator does in the root mean square, whether or not that is always alike
     largest = max((math.hypot(*one.outcome, *one.scatter) for one in promises), default=0.0)
     is_of_data = table.measured == "data"  # a world is in metres
-    more = "bring more interactions" if is_of_data else "distil with more --objects"
-    more += ", or take fewer bits"
+    more = "bring more interactions, or take fewer bits"
     rare, is_unsure = sum(one.trials < MIN_TRIALS for one in judged), sure < MOST * len(judged)
     is_far, within = largest > FAR * TOLERANCE, f"within {TOLERANCE:g} counts as promised; give them in a"
     is_untold = not promises or _told(promises) < LEAST_TOLD
@@ -261,7 +260,7 @@ def judge_tries(tries: Mapping[str, Tries], *, how: str = "", tolerance: float =
     remedy = _first(
         (one.found < MOST * one.of, "most tasks have no plan; explore more, or take more --action-bits"),
         (tolerance < TOLERANCE, f"goals within {tolerance:g} ask too much; allow a larger --tolerance"),
-        (True, "plans are found and miss; distil with more --objects, or explore more"),
+        (True, "plans are found and miss; bring more interactions"),
     )
     return Verdict("useless" if high < FEW else "weak", sentence, remedy)
 

@@ -104,7 +104,7 @@ RARE, FAR = ("0", 4, 4, 0.2, 0.0), ("0", 10, 4, 0.51, 0.1)
         (table(*[UNSURE] * 5, SURE), "useless", "what has one symbol ends differently"),
         (table(), "useless", "what happens scatters"),
         (table(("0", 10, 10, 0.02, 0.2)), "useless", "decide what happens and tell objects apart"),
-        (table(RARE, RARE), "useless", "most have fewer than 5 rehearsals; distil with more --objects"),
+        (table(RARE, RARE), "useless", "most have fewer than 5 rehearsals; bring more interactions"),
         (table(RARE, measured="data"), "useless", "rows of the data; bring more interactions"),
         (table(FAR, measured="data"), "useless", "and within 0.05 counts as promised; give them in a larger"),
         (table(FAR), "useless", "what has one symbol ends differently"),
