@@ -5,7 +5,6 @@ from typing import Annotated, Any, Literal, Optional
 
 from tyro.conf import Positional, arg
 
-from neurosym.checks import check_count
 from neurosym.choices import BUDGET, CELL, DEFAULT_STRATEGY, StrategyName
 from neurosym.commands.arguments import CPUS, Folder, Json, Seed, Workers, answer_in, opened
 from neurosym.errors import InvalidData, InvalidFile, InvalidValue, counted, listed_briefly, quoted
@@ -194,6 +193,7 @@ def distill(
     Interrupt it when you like: the same command goes on. What was performed is kept in
     `performed.safetensors`, and not performed again.
     """
+    from neurosym.checks import check_count
     from neurosym.commands.tables import show_operators, show_relations, show_verdict
     from neurosym.formats import PairFile, PlaceFile
     from neurosym.operators import OperatorTable, counted_axes

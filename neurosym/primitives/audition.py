@@ -69,6 +69,7 @@ CANDIDATES = 8
 """How many candidates of a symbol are auditioned at most for a category."""
 _OBJECTS_TO_PREDICT = 40  # objects of the category on which the effects of every candidate are predicted
 _FEW, _SURE = 5, 0.1  # rehearsals of an operator that is hardly ever sure: less than so
+_CATEGORIES = 4  # for so many of which the objects to rehearse on are meant
 
 
 def choose_own(
@@ -97,7 +98,8 @@ def choose_own(
     own = [(kind, contest, one) for kind, contest in contests.items() for one in chosen[kind]]
     seen = [len(contest.seen.get(one, ())) if world_factory is search.shown else 0 for _, contest, one in own]
     sureness = [contest.judged(one, trust).sureness for _, contest, one in own]
-    most = [search.objects if sure >= _SURE else _FEW for sure in sureness]
+    usual = max(1, search.objects // _CATEGORIES)
+    most = [usual if sure >= _SURE else min(_FEW, usual) for sure in sureness]
     enough = search.affordable(seen, most)
     times = {
         (kind, one): max(count, min(enough, limit))

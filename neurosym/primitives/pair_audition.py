@@ -115,7 +115,7 @@ def choose_for_pairs(search: Search, states: PairStates) -> Repertoire:
     ).scenes
     own = [(kind, one) for kind, ones in chosen.items() for one in ones]
     seen = [len(search.ledger.recall(tasks_of(one, pairs.get(kind, [])))) for kind, one in own]
-    enough = search.affordable(seen, share=_ALONE)
+    enough = search.affordable(seen, [len(pairs.get(kind, [])) for kind, _ in own], _ALONE)
     times = {pair: max(count, enough) for pair, count in zip(own, seen, strict=True)}
     return with_own([*best.values()], chosen, times)
 

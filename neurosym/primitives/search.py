@@ -18,7 +18,6 @@ from neurosym.world import Outcome, Scene, WorldFactory
 AUDITIONED, REHEARSED = "auditioned", "rehearsed"
 """What performances are for."""
 _CHOOSING = 0.6  # share of all performances that choose
-_CATEGORIES = 4  # for so many of which the objects to rehearse on are meant
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -63,7 +62,7 @@ class Search:
         """How often candidates may perform, until one is chosen."""
         return int(_CHOOSING * self.budget)
 
-    def affordable(self, seen: Sequence[int], most: Sequence[int] | None = None, share: float = 1.0) -> int:
+    def affordable(self, seen: Sequence[int], most: Sequence[int], share: float = 1.0) -> int:
         """Return in how many scenes each action can be rehearsed, or what is left is spent.
 
         Args:
@@ -71,12 +70,11 @@ class Search:
             most: In how many at most, for each.
             share: How much of what is left may be spent.
         """
-        counts = range(max(1, self.objects // _CATEGORIES), 0, -1)
-        limits = [counts[0]] * len(seen) if most is None else most
 
         def cost(enough: int) -> int:
-            return sum(max(0, min(enough, limit) - n) for limit, n in zip(limits, seen, strict=True))
+            return sum(max(0, min(enough, limit) - n) for limit, n in zip(most, seen, strict=True))
 
+        counts = range(max(most, default=0), 0, -1)
         return next((enough for enough in counts if cost(enough) <= share * self.left), 0)
 
     def performer(self, world_factory: WorldFactory, progress: Progress) -> Perform:

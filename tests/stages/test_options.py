@@ -11,14 +11,13 @@ from conftest import RUN_TOY
 from places import SHIPPED
 from toy_places import grounding
 
-from neurosym.commands import pipeline
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.learning import explore_stage, train_stage
 from neurosym.stages.planning import remarks_on_number, remarks_on_places
-from neurosym.worlds.world_file import make_world, read_world
+from neurosym.worlds.world_file import read_world
 
 EXPLORING = {"steps": 8, "seed": 0, "regime": "default", "workers": 1}
 
@@ -51,20 +50,7 @@ def test_bits_change_what_is_explored_only_where_a_network_with_symbols_is_explo
     assert "action_bits" not in explored_with(empty, "entropy")
 
 
-TOY = make_world("toy", {})
-
-
-def test_a_quarter_as_many_are_aimed_at_places_if_there_are_any(tmp_path: Path, monkeypatch):
-    assert neurosym("init", tmp_path / "new", "--world", "toy") == 0
-    folder = DomainFolder(tmp_path / "new")
-    for steps, places in ((1, 0), (1023, 0), (1024, 256), (10_000, 2500)):
-        assert pipeline._counts(folder, TOY, steps, None, 0) == (steps, places, 0)
-    monkeypatch.setattr(pipeline, "references_of", lambda _: ())
-    assert pipeline._counts(folder, TOY, 10_000, None, 0) == (10_000, 0, 0)
-
-
-def test_no_fewer_than_there_are_so_that_nothing_is_done_again(folder: Path, capsys):
-    assert pipeline._counts(DomainFolder(folder), TOY, 1024, None, 0)[1] == 512
+def test_no_fewer_are_aimed_at_places_than_there_are_so_that_nothing_is_done_again(folder: Path, capsys):
     assert RUN_TOY[-2] == "--places"
     assert neurosym("run", folder, *RUN_TOY[:-2]) == 0
     assert ": done" not in capsys.readouterr().out
