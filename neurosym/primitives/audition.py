@@ -94,13 +94,15 @@ def choose_own(
         perform = search.performer(world_factory, advance)
         hold(every, perform, budget=search.for_choosing, least=LEAST_GAIN)
     trust = trusted(every)
-    chosen = {kind: contest.best(trust) for kind, contest in contests.items()}
-    own = [(kind, contest, one) for kind, contest in contests.items() for one in chosen[kind]]
-    seen = [len(contest.seen.get(one, ())) if world_factory is search.shown else 0 for _, contest, one in own]
-    sureness = [contest.judged(one, trust).sureness for _, contest, one in own]
-    usual = max(1, search.objects // _CATEGORIES)
-    most = [usual if sure >= _SURE else min(_FEW, usual) for sure in sureness]
-    enough = search.affordable(seen, most)
+    usual, is_same = max(1, search.objects // _CATEGORIES), world_factory is search.shown
+    for is_seen in (False, True):
+        chosen = {kind: contest.best(trust, is_seen=is_seen) for kind, contest in contests.items()}
+        own = [(kind, contest, one) for kind, contest in contests.items() for one in chosen[kind]]
+        seen = [len(contest.seen.get(one, ())) if is_same else 0 for _, contest, one in own]
+        sureness = [contest.judged(one, trust).sureness for _, contest, one in own]
+        most = [usual if sure >= _SURE else min(_FEW, usual) for sure in sureness]
+        if (enough := search.affordable(seen, most)) >= min(_FEW, usual):
+            break  # else little is left, and what did not perform would hardly be known
     times = {
         (kind, one): max(count, min(enough, limit))
         for (kind, _, one), count, limit in zip(own, seen, most, strict=True)

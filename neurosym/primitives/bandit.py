@@ -65,12 +65,13 @@ class Contest:
         mixed = (count * found.sureness + self.counts * sureness) / (count + self.counts)
         return Judgement(found.kind or prior.kind, found.mean if found.kind else prior.mean, mixed)
 
-    def best(self, trust: float) -> list[Primitive]:
-        """Return the best of each group that has candidates."""
-        values = [
-            values for values, _ in _worths([[self.judged(one, trust) for one in g] for g in self.groups])
-        ]
-        return [group[int(np.argmax(v))] for group, v in zip(self.groups, values, strict=True) if group]
+    def best(self, trust: float, *, is_seen: bool = False) -> list[Primitive]:
+        """Return the best of each group that has candidates; if asked for, of those that performed."""
+        groups = self.groups
+        if is_seen:
+            groups = [[one for one in group if one in self.seen] or group for group in groups]
+        worths = _worths([[self.judged(one, trust) for one in group] for group in groups])
+        return [g[int(np.argmax(values))] for g, (values, _) in zip(groups, worths, strict=True) if g]
 
 
 @dataclass(slots=True, eq=False)

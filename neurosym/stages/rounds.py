@@ -170,11 +170,12 @@ def _left_of(plan: Sequence[Round], last: Round) -> list[Round]:
     """
     left = list[Round]()
     for asked in plan:
-        more = dict[str, Share]()
+        more, free = dict[str, Share](), sum(map(sum, asked.values())) - sum(map(sum, last.values()))
         for name, share in asked.items():
-            before, total = last.get(name, Share(0, 0)), sum(share)
-            explored = max(before.explored, min(share.explored, total - before.budget))
-            more[name] = Share(explored, total - explored) if total > sum(before) else before
+            before = last.get(name, Share(0, 0))
+            free -= (added := max(0, min(sum(share) - sum(before), free)))
+            explored = max(before.explored, min(share.explored, before.explored + added))
+            more[name] = Share(explored, sum(before) + added - explored)
         if any(last.get(name) != share for name, share in more.items()):
             left.append(more)
             last = {**last, **more}

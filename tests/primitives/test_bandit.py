@@ -83,6 +83,13 @@ def test_it_ends_with_the_budget_the_scenes_or_when_nothing_is_worth_it():
     assert max(counts) <= BLOCK
 
 
+def test_what_did_not_perform_can_be_left_out():
+    one, known = contest([0.6, 0.5], [0.7, 0.9])
+    one.seen[ONES[0]] = performer(known)([(ONES[0], scene) for scene in one.scenes[:8]])
+    assert one.best(1.0) == [ONES[1]]
+    assert one.best(1.0, is_seen=True) == [ONES[0]]
+
+
 def test_predictions_are_trusted_as_far_as_they_came_true():
     one, known = contest([0.2, 0.2], [0.8, 0.8])
     assert trusted([one]) == 1.0
