@@ -11,7 +11,7 @@ from typing import Annotated, Any, Optional
 
 from tyro.conf import arg
 
-from neurosym.choices import BUDGET, DEFAULT_STRATEGY
+from neurosym.choices import BUDGET, DEFAULT_STRATEGY, is_factory
 from neurosym.commands.arguments import CPUS, Folder, Seed, Workers, opened
 from neurosym.commands.learn import (
     ActionBits,
@@ -95,7 +95,8 @@ def run(
         raise InvalidValue("--steps explores at once, and --interactions is a budget for rounds; give one.")
     operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
     if interactions is not None:  # refuse too few before a folder is made
-        rounds(interactions, (layout.OBJECTS,), {layout.OBJECTS: operators[0]}, {})
+        names = (layout.OBJECTS, layout.PLACES)[: 1 if places == 0 or is_factory(world or "") else 2]
+        rounds(interactions, names, dict(zip(names, operators, strict=False)), {})
     domain = _begun(folder, world)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = explored_in(domain).get(layout.OBJECTS, Share(0, 0)).explored or None

@@ -171,8 +171,10 @@ def test_it_stops_where_nothing_more_is_worth_performing(tmp_path, monkeypatch, 
 
 
 def test_what_cannot_be_spent_is_refused_and_so_is_a_damaged_record(tmp_path, capsys):
-    said = refusal(capsys, "run", tmp_path / "new", "--interactions", 50, *RUN)
+    said = refusal(capsys, "run", tmp_path / "new", "--interactions", 50, *RUN, *FOR_OBJECTS)
     assert "--interactions 50 are too few for 8 operators, which are to be seen 5 times each" in said
+    said = refusal(capsys, "run", tmp_path / "new", "--interactions", 100, *RUN)
+    assert "--interactions 100 are too few for 16 operators of places" in said  # and not first for objects
     said = refusal(capsys, "run", tmp_path / "new", "--interactions", 500, "--steps", 200, *RUN)
     assert "give one" in said
     assert not (tmp_path / "new").exists()
