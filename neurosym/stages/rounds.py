@@ -279,7 +279,7 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
                 if aim.folder in shares
             }
             budget = Budget((*budget.rounds, {**budget.last, **spent}))
-            if is_open and budget != budget_of(workshop):
+            if is_open:
                 write_json(workshop / layout.BUDGET, budget)
             _publish(workshop, folder)
             if is_open:

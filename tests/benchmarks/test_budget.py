@@ -39,6 +39,20 @@ def test_the_fewest_interactions_are_told_that_are_enough():
     assert "| one-budget-1-2000 | 1,999 | 1.0 | 30 % | 4 | 0.50 |" in written
 
 
+def test_tasks_of_one_kind_are_not_counted_with_those_of_another():
+    jobs = found({2000: 1.0})
+    for name in jobs:
+        if "20mm" in name:
+            jobs[name] = [trial(reached=False)] * 20
+    told = summarise(jobs)["shares"]["one-budget"]["2000"]
+    assert {name: (cell["blind"], cell["tasks"]) for name, cell in told.items()} == {
+        "single": ([1.0, 1.0], 40),
+        "double": ([1.0, 1.0], 40),
+        "20mm-single": ([0.0, 0.0], 40),
+        "20mm-double": ([0.0, 0.0], 40),
+    }
+
+
 def test_places_count_with_replanning_and_pairs_by_geometry_too():
     jobs = found({5000: 1.0, 10_000: 1.0}, "with-places")
     jobs |= found({8000: 1.0}, "with-relations", lambda reached: {"blind": False, "reached": reached})

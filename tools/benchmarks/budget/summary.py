@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from tools.benchmarks.budget import heights
-from tools.benchmarks.budget.ways import STAGES, TOWERS, WAYS, domain_name
+from tools.benchmarks.budget.ways import STAGES, TOWERS, WAYS
 from tools.benchmarks.jobs import Found, machine
 from tools.benchmarks.planning import figures
 from tools.benchmarks.planning.trials import trials_of
@@ -34,8 +34,7 @@ def summarise(found: Found) -> dict[str, Any]:
     shares: dict[str, dict[str, Any]] = {}
     for way in WAYS:
         for total in WAYS[way].points:
-            names = [name for name in learned if name.startswith(f"{way}-") and name.endswith(f"-{total}")]
-            names = [name for name in names if name == domain_name(way, int(name.split("-")[-2]), total)]
+            names = [name for name in learned if name.rsplit("-", 2)[::2] == [way, str(total)]]
             if told := _told(found, way, total, sorted(names)):
                 shares.setdefault(way, {})[str(total)] = told
     timed = {name.removeprefix("time-"): found[name] for name in found if name.startswith("time-")}

@@ -39,7 +39,7 @@ class Way:
 
 STAGES, TOWERS, FAR = "stages", "tower of 3", (1, 2, 4)
 _DRAWN = Cell("single", 1, 50), Cell("double", 2, 50)
-_PRECISE = Cell("single-20", 1, 30, 0.02), Cell("double-20", 2, 30, 0.02)
+_PRECISE = Cell("20mm-single", 1, 30, 0.02), Cell("20mm-double", 2, 30, 0.02)
 _FAR = tuple(Cell(f"far-{n}", n, 20) for n in FAR)
 _TOWERS = (Cell(TOWERS, 3, 20),)
 _CURVE = {1000: _DRAWN, 2000: _DRAWN + _PRECISE, 4000: _DRAWN, 8000: _DRAWN + _PRECISE, 16_000: _DRAWN}
@@ -51,9 +51,9 @@ WAYS: Mapping[str, Way] = {
     "random": Way("what explores is random", _CURVE, {"strategy": "random"}),
     "entropy": Way("what explores is curious by entropy (Algorithm 1)", _CURVE, {"strategy": "entropy"}),
     STAGES: Way(
-        "one stage after another: all that rehearsing leaves is explored, and the paper's candidates taken",
+        "one stage after another: all that rehearsing leaves is explored, and a network chooses",
         {total: _CURVE[total] for total in (2000, 4000, 8000)},
-        {"choice": "lowest-error", "rehearsals": 40},
+        {"choice": "predictable", "rehearsals": 40},
     ),
     "with-places": Way("places are learned, too", {5000: _FAR, 10_000: _FAR + _DRAWN}, {"places": None}),
     "with-relations": Way(
