@@ -99,7 +99,7 @@ def run(
         rounds(interactions, names, dict(zip(names, operators, strict=False)), {})
     domain = _begun(folder, world)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
-        steps = explored_in(domain).get(layout.OBJECTS, Share(0, 0)).explored or None
+        steps = explored_in(domain)[layout.OBJECTS] or None
     known = read_world(domain.require(layout.WORLD))()
     plan = _plan(domain, known, interactions, steps, places, relations, operators)
     recipe = Recipe(strategy, regime, choice, rehearsals, seed, workers, bits)
@@ -123,8 +123,8 @@ def _plan(
 ) -> list[Round]:
     """Say how much each aim gets in each round; the number of operators is that of objects, and of places."""
     if steps is not None:
-        there = [explored_in(folder).get(aim.folder, Share(0, 0)).explored for aim in AIMS]
-        counts = steps, max(places or 0, there[1]), max(relations, there[2])
+        there = explored_in(folder)
+        counts = steps, max(places or 0, there[layout.PLACES]), max(relations, there[layout.RELATIONS])
         _check_aims(folder, world, counts[1] > 0, counts[2] > 0)
         return [{aim.folder: Share(n, BUDGET) for aim, n in zip(AIMS, counts, strict=True) if n}]
     takes, learned = "place" in references_of(world), budget_of(folder).last
@@ -182,8 +182,7 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
         columns = ["problem", "objects", "plan", "primitives", "seconds", "goal", "why not"]
         title = f"{counted(len(tried), 'problem')} drawn from the world"
         show_table(title, columns, [cells for cells, _ in tried])
-    explored = [path for aim in AIMS if (path := folder / aim.file(layout.INTERACTIONS)).is_file()]
-    purposes = Counter(explored=sum(len(Interactions.load(path)) for path in explored))
+    purposes = Counter(explored=explored_in(folder).total())
     for aim in AIMS:
         purposes += ledger_of(folder, aim).purposes
     if purposes.total() >= (total := budget_of(folder).total):  # all is kept that was performed

@@ -6,6 +6,7 @@ goes on from what it wrote.
 """
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -256,7 +257,8 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
         FolderTaken: If another process learns in the folder.
     """
     budget = budget_of(folder) if is_open else Budget()
-    left = _left_of(plan, budget.shares or (explored_in(folder) if is_open else {}))
+    alone = {name: Share(count, 0) for name, count in explored_in(folder).items()}  # before there were rounds
+    left = _left_of(plan, (budget.shares or alone) if is_open else {})
     for aim in (aim for aim in AIMS if aim.folder in plan[-1]):  # refuse a user's own data, and other draws
         asked, name = (left or [budget.shares])[-1][aim.folder].explored, own_name(recipe.strategy)
         check_steps(folder, asked, aim, strategy=name, seed=recipe.seed)
@@ -288,10 +290,10 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
                 say(f"{done}: {counted(budget.total, 'interaction')} so far; {can}")
 
 
-def explored_in(folder: DomainFolder) -> Round:
-    """Say what was explored before there were rounds."""
+def explored_in(folder: DomainFolder) -> Counter[str]:
+    """Count what was explored, by what was aimed at."""
     paths = {aim.folder: folder / aim.file(layout.INTERACTIONS) for aim in AIMS}
-    return {name: Share(len(Interactions.load(path)), 0) for name, path in paths.items() if path.is_file()}
+    return Counter({name: len(Interactions.load(path)) for name, path in paths.items() if path.is_file()})
 
 
 def perform(folder: DomainFolder, stage: Stage) -> None:

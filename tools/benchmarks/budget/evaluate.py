@@ -23,6 +23,7 @@ from neurosym.learning.training import TrainingReport
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.learning import AIMS, ledger_of
+from neurosym.stages.rounds import explored_in
 from tools.benchmarks import options
 from tools.benchmarks.budget import heights, interaction
 from tools.benchmarks.budget.curve import draw
@@ -145,22 +146,15 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
         if (folder / name).exists():
             (copy / name).parent.mkdir(exist_ok=True, parents=True)
             shutil.copy(folder / name, copy / name)
-    spent = [
-        (_explored(folder / aim.file(layout.INTERACTIONS)), ledger_of(DomainFolder(folder), aim))
-        for aim in AIMS
-    ]
+    domain, explored = DomainFolder(folder), explored_in(DomainFolder(folder))
     return {
         "cpu": cpu_seconds() - begin,
-        "interactions": sum(explored + len(ledger) for explored, ledger in spent),
-        "explored": [explored for explored, _ in spent],
+        "interactions": explored.total() + sum(len(ledger_of(domain, aim)) for aim in AIMS),
+        "explored": explored,
         "moved": float(heights.moved(Interactions.load(folder / layout.INTERACTIONS)).mean()),
         "kinds": measures.kinds(copy) or [],
         "r2": read_json(copy / layout.TRAINING, TrainingReport).r2_through_codes,
     }
-
-
-def _explored(path: Path) -> int:
-    return len(Interactions.load(path)) if path.is_file() else 0
 
 
 def _tasks(work: Path, way: str, seed: int, total: int, scale: float) -> Jobs:
