@@ -58,11 +58,10 @@ def test_places_count_with_replanning_and_pairs_by_geometry_too():
     jobs |= found({8000: 1.0}, "with-relations", lambda reached: {"blind": False, "reached": reached})
     assert summarise(jobs)["interactions_for"] == {"drawn": None, "places": 5000, "relations": None}
     for seed in (1, 2):
-        jobs[f"pairs-with-relations-{seed}-8000"] = {
-            "operators": {"on": {"right": 0.9}, "in": {"right": 0.9}}
-        }
+        judged = {"operators": {"on": {"right": 0.9}, "in": {"right": 0.9}}}
+        jobs[f"learn-with-relations-{seed}-8000"]["pairs"] = judged
     assert summarise(jobs)["interactions_for"]["relations"] == 8000
-    jobs["pairs-with-relations-1-8000"]["operators"]["in"] = None
+    judged["operators"]["in"] = None
     assert summarise(jobs)["interactions_for"]["relations"] is None
 
 

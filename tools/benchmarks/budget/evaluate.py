@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -36,7 +36,7 @@ from tools.benchmarks.planning import measures
 from tools.benchmarks.planning.jobs import blocks
 from tools.benchmarks.planning.trials import tried
 from tools.benchmarks.relations import symbols, tasks
-from tools.benchmarks.relations.trying import try_all
+from tools.benchmarks.relations.trying import Words, try_all
 
 FIRST_TASK = 800_000  # seed of the first task, far from those of other evaluations
 NEW_PAIRS = 780_000
@@ -92,9 +92,10 @@ def main(
                 for way, seed in some
             }
             evaluation.perform(learning, f"learning from {total:,}", fresh=True)
-            trying: Jobs = {}
+            trying, found = Jobs(), evaluation.found()
             for way, seed in some:
-                trying |= _tasks(work, way, seed, total, scale)
+                if told := found.get(f"learn-{domain_name(way, seed, total)}"):
+                    trying |= _tasks(work, way, seed, total, scale, told)
             evaluation.perform(trying, f"tasks after {total:,}")
             report()
     alone = Evaluation("budget", work, results)
@@ -147,6 +148,7 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
             (copy / name).parent.mkdir(exist_ok=True, parents=True)
             shutil.copy(folder / name, copy / name)
     domain, explored = DomainFolder(folder), explored_in(DomainFolder(folder))
+    pairs = symbols.measure(copy, NEW_PAIRS + seed, workers=1) if "relations" in known.options else None
     return {
         "cpu": cpu_seconds() - begin,
         "interactions": explored.total() + sum(len(ledger_of(domain, aim)) for aim in AIMS),
@@ -154,19 +156,20 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
         "moved": float(heights.moved(Interactions.load(folder / layout.INTERACTIONS)).mean()),
         "kinds": measures.kinds(copy) or [],
         "r2": read_json(copy / layout.TRAINING, TrainingReport).r2_through_codes,
+        "pairs": pairs,
     }
 
 
-def _tasks(work: Path, way: str, seed: int, total: int, scale: float) -> Jobs:
-    """List the jobs that try what was learned, by their names."""
+def _tasks(work: Path, way: str, seed: int, total: int, scale: float, learned: Mapping[str, Any]) -> Jobs:
+    """List the jobs that try what was learned, by their names; pairs were judged by geometry."""
     folder, found = work / domain_name(way, seed, total), dict[str, Any]()
     for cell in WAYS[way].points[total]:
         for block in blocks(options.scaled(scale, cell.count), 10):
             name = f"try-{folder.name}-{cell.name}-{block.start}"
-            judge = _try_towers if cell.name == TOWERS else _try
-            found[name] = partial(judge, folder, cell, seed, block)
-    if "relations" in WAYS[way].options:
-        found[f"pairs-{folder.name}"] = partial(_judge_pairs, folder, seed)
+            if cell.name == TOWERS:
+                found[name] = partial(_try_towers, folder, learned["pairs"]["words"], seed, block)
+            else:
+                found[name] = partial(_try, folder, cell, seed, block)
     return found
 
 
@@ -182,17 +185,11 @@ def _try(folder: Path, cell: Cell, seed: int, block: Sequence[int]) -> list[Any]
     return tried(bench.setting, drawn, time_limit=measures.TIME_LIMIT)
 
 
-def _judge_pairs(folder: Path, seed: int) -> dict[str, Any]:
-    """Judge what was learned of pairs by geometry."""
-    return symbols.measure(folder, NEW_PAIRS + seed, workers=1)
-
-
-def _try_towers(folder: Path, cell: Cell, seed: int, block: Sequence[int]) -> list[Any]:
+def _try_towers(folder: Path, words: Words, seed: int, block: range) -> list[Any]:
     """Try to build towers; geometry says what words mean, and what was reached."""
-    words = _judge_pairs(folder, seed)["words"]
     draws = {name: draw_task for name, draw_task, _ in tasks.cells(1)}
     first = FIRST_TASK + 1000 * seed
-    return try_all(folder, words, draws[cell.name], range(first + block.start, first + block.stop))
+    return try_all(folder, words, draws[TOWERS], range(first + block.start, first + block.stop))
 
 
 if __name__ == "__main__":

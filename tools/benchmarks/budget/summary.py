@@ -77,7 +77,7 @@ def _told(found: Found, way: str, total: int, names: list[str]) -> dict[str, Any
             shares = {how: [figures.share(of, how) for of in trials] for how in figures.WAYS}
         told[cell.name] = {**shares, "tasks": sum(map(len, trials))}
     for word in ("on", "in"):
-        if judged := [found[f"pairs-{name}"] for name in names if f"pairs-{name}" in found]:
+        if judged := [pairs for name in names if (pairs := found[f"learn-{name}"].get("pairs"))]:
             right = [(one["operators"][word] or {}).get("right", 0.0) for one in judged]
             told[word] = {"blind": right, "replanned": right, "tasks": 0}
     return told
