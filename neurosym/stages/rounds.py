@@ -332,7 +332,7 @@ def _workshop(folder: DomainFolder) -> Iterator[DomainFolder]:
     workshop = DomainFolder(path, folder.notify)
     with workshop.claimed(Claim.ALONE):
         now, began = _digests(folder), path / _BEGAN
-        if not began.is_file() or read_json(began, dict[str, str]) != now:
+        if not began.is_file() or read_json(began, dict[str, str], "; remove it to go on") != now:
             for name in (*_files(), layout.MANIFEST):
                 (path / name).unlink(missing_ok=True)
             workshop.take_over(folder, _files())
