@@ -2,7 +2,7 @@
 
 import pytest
 
-from tools.benchmarks.budget import ways
+from tools.benchmarks.budget import codes, ways
 from tools.benchmarks.budget.summary import page, summarise
 
 LEARNED = {"cpu": 60.0, "interactions": 1990, "moved": 0.3, "kinds": ["push"], "r2": 0.5}
@@ -63,6 +63,19 @@ def test_places_count_with_replanning_and_pairs_by_geometry_too():
     assert summarise(jobs)["interactions_for"]["relations"] == 8000
     judged["operators"]["in"] = None
     assert summarise(jobs)["interactions_for"]["relations"] is None
+
+
+def test_groups_are_compared_whatever_they_are_called():
+    assert codes.agreement("0 0 1 1", "7 7 3 3") == 1
+    assert codes.agreement("0 0 1 1", "0 1 0 1") == pytest.approx(-0.5)
+    jobs = {
+        f"codes-{way}-{seed}-2000": {"r2": r2, "symbols": f"0 0 {last} 1 1"}
+        for way, seed, r2, last in [("random", 1, 0.2, 0), ("random", 2, 0.4, 1), ("entropy", 1, 0.5, 0)]
+    }
+    told = codes.summarise(jobs)["2000"]
+    assert told["r2"] == {"one-budget": [], "random": [0.2, 0.4], "entropy": [0.5], "stages": []}
+    assert told["alike"] == {"random and entropy": [1.0], "random": [pytest.approx(1 / 6)]}
+    assert "| groups of random and entropy | 1.00 |" in codes.tables({"2000": told})
 
 
 def test_nothing_is_told_of_what_was_not_measured():

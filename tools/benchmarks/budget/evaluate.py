@@ -25,7 +25,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.learning import AIMS, ledger_of
 from neurosym.stages.rounds import explored_in
 from tools.benchmarks import options
-from tools.benchmarks.budget import heights, interaction
+from tools.benchmarks.budget import codes, heights, interaction
 from tools.benchmarks.budget.curve import draw
 from tools.benchmarks.budget.summary import page, summarise
 from tools.benchmarks.budget.ways import STAGES, TOWERS, WAYS, Cell, domain_name, left_out
@@ -50,16 +50,18 @@ _OF_PAIRS = (
 )
 _REHEARSED = 800  # interactions that stages rehearse with: thirty on each of four categories at least
 _LITTLE = 2000  # with a smaller budget a run is one of its own, and does not go on
+_CURVE = ("one-budget", STAGES, "random", "entropy")
 _TURNS = (
-    (2000, ("one-budget", STAGES, "random", "entropy")),
-    (10_000, ("with-places",)),
-    (6000, ("one-budget",)),
-    (15_000, ("with-relations",)),
-    (8000, ("one-budget", STAGES, "random", "entropy")),
-    (6000, ("no-teaching", "no-prior", "evenly", "no-stopping")),
-    (16_000, ("one-budget", "random", "entropy")),
+    (2000, _CURVE, 0),
+    (10_000, ("with-places",), 0),
+    (6000, ("one-budget",), 0),
+    (15_000, ("with-relations",), 0),
+    (8000, _CURVE, 0),
+    (6000, ("no-teaching", "no-prior", "evenly", "no-stopping"), 0),
+    (16_000, ("one-budget", "random", "entropy"), 0),
+    (8000, _CURVE, 2),
 )
-"""Ways and how far each goes, in turn."""
+"""How far each way goes, which ways, and with how many seeds more than usual, in turn."""
 _HEIGHTS_AFTER = 4  # turns, it is asked when curiosity pays
 _TIMED = {"default": (), "without_places": ("--places", "0")}
 
@@ -80,30 +82,36 @@ def main(
         draw(summary, results / "budget.png")
         evaluation.write(summary, page(summary))
 
+    evaluation.perform({"random-actions": partial(codes.test, work)}, "random actions")
     drawing, widening = heights.jobs(work, seeds)
-    for number, (most, ways) in enumerate(_TURNS[:turns]):
+    for number, (most, ways, more) in enumerate(_TURNS[:turns]):
         if number == _HEIGHTS_AFTER:
             evaluation.perform(drawing, "higher action boxes")
             evaluation.perform(widening, "exploring in these", report)
-        for total in sorted({point for way in ways for point in WAYS[way].points if point <= most}):
-            some = [(way, s) for s in range(1, seeds + 1) for way in ways if total in WAYS[way].points]
-            learning = {
-                f"learn-{domain_name(way, seed, total)}": partial(learn, work, way, seed, total)
-                for way, seed in some
-            }
-            evaluation.perform(learning, f"learning from {total:,}", fresh=True)
-            trying, found = Jobs(), evaluation.found()
-            for way, seed in some:
-                if told := found.get(f"learn-{domain_name(way, seed, total)}"):
-                    trying |= _tasks(work, way, seed, total, scale, told)
-            evaluation.perform(trying, f"tasks after {total:,}")
-            report()
+        _take(evaluation, most, ways, range(1, seeds + more + 1), scale)
+        report()
     alone = Evaluation("budget", work, results)
     alone.perform(
         {f"time-{name}": partial(_time, work, name) for name in _TIMED}, "timing one run", fresh=True
     )
     alone.perform({"ratio": partial(interaction.compare, work)}, "timing interactions", fresh=True)
     report()
+
+
+def _take(evaluation: Evaluation, most: int, ways: Sequence[str], seeds: Sequence[int], scale: float) -> None:
+    """Learn in some ways from so many interactions at most, and try what was learned on the way."""
+    for total in sorted({point for way in ways for point in WAYS[way].points if point <= most}):
+        some = [(way, seed) for seed in seeds for way in ways if total in WAYS[way].points]
+        learning = {
+            f"learn-{domain_name(way, seed, total)}": partial(learn, evaluation.work, way, seed, total)
+            for way, seed in some
+        }
+        evaluation.perform(learning, f"learning from {total:,}", fresh=True)
+        trying, found = Jobs(), evaluation.found()
+        for way, seed in some:
+            if told := found.get(f"learn-{domain_name(way, seed, total)}"):
+                trying |= _tasks(evaluation.work, way, seed, total, scale, told)
+        evaluation.perform(trying, f"tasks after {total:,}")
 
 
 def _time(work: Path, name: str) -> dict[str, float]:
@@ -162,7 +170,8 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
 
 def _tasks(work: Path, way: str, seed: int, total: int, scale: float, learned: Mapping[str, Any]) -> Jobs:
     """List the jobs that try what was learned, by their names; pairs were judged by geometry."""
-    folder, found = work / domain_name(way, seed, total), dict[str, Any]()
+    folder = work / domain_name(way, seed, total)
+    found = {f"{codes.PREFIX}{folder.name}": partial(codes.judge, work, folder)}
     for cell in WAYS[way].points[total]:
         for block in blocks(options.scaled(scale, cell.count), 10):
             name = f"try-{folder.name}-{cell.name}-{block.start}"
