@@ -51,18 +51,20 @@ _OF_PAIRS = (
 _REHEARSED = 800  # interactions that stages rehearse with: thirty on each of four categories at least
 _LITTLE = 2000  # with a smaller budget a run is one of its own, and does not go on
 _CURVE = ("one-budget", STAGES, "random", "entropy")
+_PARTS = ("no-teaching", "no-prior", "evenly", "no-stopping")
 _TURNS = (
     (2000, _CURVE, 0),
-    (10_000, ("with-places",), 0),
     (6000, ("one-budget",), 0),
+    (10_000, ("with-places",), 0),
     (15_000, ("with-relations",), 0),
     (8000, _CURVE, 0),
-    (6000, ("no-teaching", "no-prior", "evenly", "no-stopping"), 0),
+    (2000, _PARTS, 0),
     (16_000, ("one-budget", "random", "entropy"), 0),
+    (6000, _PARTS, 0),
     (8000, _CURVE, 2),
 )
 """How far each way goes, which ways, and with how many seeds more than usual, in turn."""
-_HEIGHTS_AFTER = 4  # turns, it is asked when curiosity pays
+_HEIGHTS_AFTER = 5  # turns, it is asked when curiosity pays
 _TIMED = {"default": (), "without_places": ("--places", "0")}
 
 
