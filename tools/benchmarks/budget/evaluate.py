@@ -16,14 +16,18 @@ from typing import Annotated, Any
 
 import tyro
 
+from neurosym.choices import CELL
+from neurosym.commands.learn import make_domain_folder
 from neurosym.commands.pipeline import run
 from neurosym.data.interactions import Interactions
 from neurosym.files import read_json
 from neurosym.learning.training import TrainingReport
+from neurosym.learning.training_config import DEFAULT_BITS
 from neurosym.stages import layout
+from neurosym.stages.compilation import compile_stage
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.learning import AIMS, ledger_of
-from neurosym.stages.rounds import explored_in
+from neurosym.stages.learning import AIMS, distill_stage, explore_stage, ledger_of, train_stage
+from neurosym.stages.rounds import explored_in, perform
 from tools.benchmarks import options
 from tools.benchmarks.budget import codes, heights, interaction
 from tools.benchmarks.budget.curve import draw
@@ -48,7 +52,8 @@ _OF_PAIRS = (
     layout.RELATION_STATES,
     layout.RELATION_OPERATORS,
 )
-_REHEARSED = 800  # interactions that stages rehearse with: thirty on each of four categories at least
+_OBJECTS = 30  # of each category, that stages rehearse each symbol on
+_ENOUGH_FOR_FOUR_BITS = 4000
 _LITTLE = 2000  # with a smaller budget a run is one of its own, and does not go on
 _CURVE = ("one-budget", STAGES, "random", "entropy")
 _PARTS = ("no-teaching", "no-prior", "evenly", "no-stopping")
@@ -147,11 +152,10 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
     chosen: dict[str, Any] = {"seed": seed, "workers": 1, "problems": 0, "places": 0, **known.options}
     if way == STAGES:
         shutil.rmtree(folder, ignore_errors=True)
-        chosen["steps"] = total - _REHEARSED
+        _learn_in_stages(folder, seed, total)
     else:
-        chosen["interactions"] = total
-    with left_out(known.without):
-        run(folder, **chosen)
+        with left_out(known.without):
+            run(folder, interactions=total, **chosen)
     copy = work / domain_name(way, seed, total)
     for name in (*KEPT, *_OF_PAIRS):
         if (folder / name).exists():
@@ -170,10 +174,28 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
     }
 
 
+def _learn_in_stages(folder: Path, seed: int, total: int) -> None:
+    """Rehearse each symbol on thirty objects of each category, and explore with all that this leaves.
+
+    With few interactions actions have three bits, as in the paper: sixteen symbols would take nearly all.
+    """
+    bits = 4 if total >= _ENOUGH_FOR_FOUR_BITS else 3
+    rehearsed = _OBJECTS * 2 ** (bits + DEFAULT_BITS[0])
+    make_domain_folder(folder, "tabletop")
+    domain = DomainFolder(folder)
+    learning: dict[str, Any] = {"seed": seed, "regime": "default", "action_bits": bits}
+    exploring: dict[str, Any] = {"strategy": "disagreement", "steps": total - rehearsed, "workers": 1}
+    distilling: dict[str, Any] = {"objects": _OBJECTS, "budget": rehearsed, "choice": "predictable"}
+    perform(domain, explore_stage(domain, **exploring, **learning))
+    perform(domain, train_stage(domain, **learning))
+    perform(domain, distill_stage(domain, seed=seed, workers=1, **distilling))
+    perform(domain, compile_stage(domain, cell=CELL))
+
+
 def _tasks(work: Path, way: str, seed: int, total: int, scale: float, learned: Mapping[str, Any]) -> Jobs:
     """List the jobs that try what was learned, by their names; pairs were judged by geometry."""
     folder = work / domain_name(way, seed, total)
-    found = {f"{codes.PREFIX}{folder.name}": partial(codes.judge, work, folder)}
+    found: Jobs = {f"{codes.PREFIX}{folder.name}": partial(codes.judge, work, folder)}
     for cell in WAYS[way].points[total]:
         for block in blocks(options.scaled(scale, cell.count), 10):
             name = f"try-{folder.name}-{cell.name}-{block.start}"

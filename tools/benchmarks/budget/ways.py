@@ -53,7 +53,6 @@ WAYS: Mapping[str, Way] = {
     STAGES: Way(
         "one stage after another: all that rehearsing leaves is explored, and a network chooses",
         {total: _CURVE[total] for total in (2000, 4000, 8000)},
-        {"choice": "predictable", "rehearsals": 40},
     ),
     "with-places": Way("places are learned, too", {5000: _FAR, 10_000: _FAR + _DRAWN}, {"places": None}),
     "with-relations": Way(
