@@ -19,20 +19,22 @@ PACKAGE = ROOT / "neurosym"
 LAYERS = {
     "tasks": "",
     "sim": "",
-    "worlds": "sim tasks",
     "data": "",
+    "worlds": "sim tasks data",
     "learning": "data tasks",
     "exploration": "worlds data learning",
     "primitives": "worlds data learning tasks",
     "pddl": "tasks",
     "planners": "tasks pddl",
+    "values": "data tasks pddl planners",
     "execution": "tasks pddl planners",
     "pictures": "worlds data primitives tasks pddl execution",
-    "stages": "worlds data learning exploration primitives tasks pddl planners execution pictures",
+    "stages": "worlds data learning exploration primitives tasks pddl planners execution pictures values",
     "evaluation": "worlds data learning primitives tasks pddl planners execution stages",
     "report": "worlds data learning tasks pddl execution pictures stages evaluation",
     "studio": "worlds data learning tasks pddl planners execution pictures stages report",
-    "commands": "worlds data learning tasks pddl planners execution pictures stages evaluation report studio",
+    "commands": "worlds data learning tasks pddl planners values execution pictures stages evaluation report "
+    "studio",
 }
 """The folders in the order of the flow, each with those it may import besides the root.
 
@@ -42,7 +44,7 @@ FENCES = {
     "pybullet": ("sim/config.py",),
     "pybullet_data": ("sim/config.py",),
     "pybullet_utils": ("sim/config.py",),
-    "torch": ("learning/", "exploration/", "primitives/distillation.py"),
+    "torch": ("learning/", "exploration/", "primitives/distillation.py", "data/foreign_tables.py"),
     "unified_planning": ("planners/unified_planning.py",),
     "gymnasium": ("worlds/gymnasium_env.py",),
     "trimesh": ("studio/",),
@@ -57,6 +59,7 @@ OPENERS |= {"safe_open", "load_file"}
 LOADERS = {"np", "numpy", "torch", "json", "pickle", "marshal", "tomllib"}
 OPENED_ELSEWHERE = {
     "data/archives.py": {"np.load": "what the door opened"},
+    "data/foreign_tables.py": {"np.load": "what the door opened", "torch.load": "the same, weights only"},
     "execution/record.py": {"_CPUINFO.read_text": "the system's own"},
     "commands/ending.py": {"os.open": "the null device"},
     "stages/console.py": {"os.open": "the null device"},

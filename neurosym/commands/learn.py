@@ -58,12 +58,50 @@ def init(
     world: Annotated[
         str, arg(help="Which world, for a new folder: tabletop, toy, or your own as module:factory.")
     ] = "tabletop",
+    data: Annotated[
+        Optional[Path],
+        arg(metavar="FILE", help="A table of your own: .csv, .npy, .npz, .pt, .safetensors (docs/data.md)."),
+    ] = None,
+    columns: Annotated[
+        Optional[Path],
+        arg(metavar="FILE", help="A TOML file that says which columns are what, if their names do not."),
+    ] = None,
 ) -> int:
-    """Make a new domain folder with a `world.toml` that holds every option of its world."""
+    """Make a new domain folder with a `world.toml` that holds every option of its world.
+
+    With `--data` it holds a table of yours, and `world.toml` says along which axes effects are.
+    """
+    if columns and not data:
+        raise InvalidValue("--columns says what the columns of --data are; give both.")
+    if data:
+        if world != "tabletop":
+            raise InvalidValue("--data is a table of which there is no world; leave out --world.")
+        _take_data(folder, data, columns)
+        say_next(f"neurosym check {quoted(folder)}")
+        return 0
     make_domain_folder(folder, world)
     command = "train" if (folder / layout.INTERACTIONS).is_file() else "explore"
     say_next(f"neurosym {'distill' if (folder / layout.MODEL).is_file() else command} {quoted(folder)}")
     return 0
+
+
+def _take_data(folder: Path, data: Path, columns: Path | None) -> None:
+    """Make a domain folder of a table, with its axes in `world.toml`."""
+    from neurosym.data.axes import axes_in
+    from neurosym.data.foreign_tables import read_interactions
+    from neurosym.files import make_folder, write_new
+    from neurosym.worlds.world_file import axes_text
+
+    found = read_interactions(data, columns)
+    for name in (layout.INTERACTIONS, layout.WORLD):
+        if (folder / name).exists():
+            raise InvalidValue(f"{folder / name} exists already; name another folder.")
+    make_folder(folder)
+    write_new(folder / layout.WORLD, axes_text(axes_in(found.origin["axes"])))
+    found.save(folder / layout.INTERACTIONS)
+    axes = ", ".join(f"{axis.name} ({axis.kind})" for axis in axes_in(found.origin["axes"]))
+    say(f"wrote {folder / layout.INTERACTIONS}, {counted(len(found), 'interaction')}")
+    say(f"wrote {folder / layout.WORLD}, where kinds, cells and bounds of axes can be set: {axes}")
 
 
 def make_domain_folder(folder: Path, world: str) -> None:
@@ -196,8 +234,9 @@ def distill(
     from neurosym.checks import check_count
     from neurosym.commands.tables import show_operators, show_relations, show_verdict
     from neurosym.formats import PairFile, PlaceFile
-    from neurosym.operators import OperatorTable, counted_axes
+    from neurosym.operators import OperatorTable
     from neurosym.stages.learning import TO_OBJECTS, TO_PLACES, distill_stage
+    from neurosym.stages.value_stages import is_of_values
     from neurosym.stages.verdicts import judge_operators, judge_relations
 
     check_count("interactions", interactions)
@@ -205,20 +244,17 @@ def distill(
     options: dict[str, Any] = {"objects": objects, "budget": interactions, "seed": seed, "workers": workers}
     domain.perform(distill_stage(domain, choice=choice, **options), again=True)
     table = OperatorTable.load(domain / layout.PRIMITIVES)
-    show_operators(table)
     is_rehearsed = table.measured == "rehearsal"
-    if not is_rehearsed:
-        say(
-            "there is no world.toml, so nothing was rehearsed: effects are averages over the rows of the data"
-        )
-        if table.axes == 3:
-            say("a PDDL domain needs a world besides, and distilled again, primitives are rehearsed in it")
-            after = f"init {quoted(folder)} --world module:factory"
+    if is_rehearsed:
+        show_operators(table)
+        show_verdict(judge_operators(table))
+    else:
+        found = counted(len(table.symbols), "action symbol"), counted(len(table.categories), "object symbol")
+        say(f"{' and '.join(found)}; there is no world, so nothing was rehearsed")
+        if is_of_values(domain):
+            say("what each does to each is told from the rows of the data, when a domain is compiled")
         else:
-            axes = counted_axes(table.axes)
-            say(f"no PDDL domain can be made of {axes}: it moves objects along x, y and z")
-            after = f"explain {quoted(folder)}"
-    show_verdict(judge_operators(table))
+            after = f"init {quoted(folder)} --world module:factory"
     if is_rehearsed and (domain / layout.PLACE_MODEL).exists():
         domain.perform(distill_stage(domain, TO_PLACES, **options), again=True)
         places = PlaceFile.load(domain / layout.PLACE_OPERATORS).table()
@@ -252,12 +288,18 @@ def compile_domain(
     `--durative` there is `domain-durative.pddl`: it carries objects to places by an action that takes time,
     and takes NAME.durative.pddl. From then on they are kept up to date.
     """
-    from neurosym.commands.tables import show_verdict
+    from neurosym.commands.tables import show_values, show_verdict
     from neurosym.grounding import Grounding
     from neurosym.stages.compilation import compile_stage
+    from neurosym.stages.value_stages import compile_values_stage, is_of_values
     from neurosym.stages.verdicts import judge_domain
 
     domain = opened(folder)
+    if is_of_values(domain):
+        domain.perform(compile_values_stage(domain, name=name), again=True)
+        show_values(domain)
+        say_next(f"neurosym new-problem {quoted(folder)}")
+        return 0
     domain.perform(compile_stage(domain, cell=cell, name=name, durative=durative, plain=plain), again=True)
     grounding = Grounding.load(domain / layout.GROUNDING)
     known = {one.name for one in grounding.objects.operators}

@@ -17,8 +17,11 @@ from neurosym.operators import CONVERGED, NO_EFFECT, Effect, OperatorTable, name
 from neurosym.pair_operators import OF_PAIRS, RelationOperators
 from neurosym.report.symbols import EffectRow, Explanation, SymbolExplanation
 from neurosym.stages.console import NARROW, folded, print_raw, say, show_table, width
-from neurosym.stages.verdicts import Verdict, judge_training
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.value_stages import domain_of
+from neurosym.stages.verdicts import Verdict, judge_training, judge_values
 from neurosym.tasks.transition import PlanStep, primitives
+from neurosym.values.domain import Cells
 
 
 def show_training(path: Path, data: Path) -> None:
@@ -71,6 +74,31 @@ def show_operators(table: OperatorTable) -> None:
                 f"{primitive.label} is done by an action that hardly encodes to it: "
                 f"its mean squared error is {primitive.code_error:.2g}, and {CONVERGED} is the limit"
             )
+
+
+def show_values(folder: DomainFolder) -> None:
+    """Print the axes of a domain of values, what each operator does along them, and how good that is."""
+    domain = domain_of(folder)
+    axes = [[cells.axis.name, cells.axis.kind, str(cells), _near(cells)] for cells in domain.cells]
+    show_table("axes; world.toml says otherwise", ["axis", "kind", "cells", "as promised within"], axes)
+    rows = [
+        [
+            one.name,
+            f"{one.outcome.count} of {one.trials}",
+            ", ".join(
+                cells.step_name(step)
+                for cells, step in zip(domain.cells, one.outcome.steps, strict=True)
+                if not step.stays
+            ),
+        ]
+        for one in domain.operators
+    ]
+    show_table("operators, told from the data", ["operator", "as promised", "does"], rows)
+    show_verdict(judge_values(domain))
+
+
+def _near(cells: Cells) -> str:
+    return "-" if cells.axis.tolerance is None else f"{cells.axis.tolerance:.3g}"
 
 
 def show_relations(table: RelationOperators) -> None:

@@ -28,6 +28,8 @@ from neurosym.stages.layout import GROUNDING, PLANS, WORLD, problem_files, scene
 
 if TYPE_CHECKING:
     from neurosym.stages.plan_records import PlanRecord
+    from neurosym.stages.problem_making import Asked
+    from neurosym.values.problem import Goal
 
 
 def new_problem(
@@ -43,7 +45,11 @@ def new_problem(
     goal: Annotated[
         tuple[str, ...],
         UseAppendAction,
-        arg(metavar="ITEM=X,Y[,Z]", help="A goal by hand, in the world frame [m], once for each object."),
+        arg(
+            metavar="ITEM=X,Y[,Z]",
+            help="A goal by hand, in the world frame [m], once for each object. With data of your own "
+            "THING.AXIS=VALUE, or LOW..HIGH.",
+        ),
     ] = (),
     relation: Annotated[
         tuple[str, ...],
@@ -81,6 +87,7 @@ def new_problem(
     """
     from neurosym.problems import check_names
     from neurosym.stages.problem_making import Asked, problem_stage, scene_stage
+    from neurosym.stages.value_stages import is_of_values
 
     domain, by_hand = opened(folder), bool(goal or relation)
     if scene and (by_hand or task or (objects, actions, seed) != (1, 1, 0)):
@@ -95,13 +102,15 @@ def new_problem(
         objects=objects,
         actions=actions,
         seed=seed,
-        goals=_parse_goals(goal) if goal else None,
+        goals=_parse_goals(goal) if goal and not is_of_values(domain) else None,
         tolerance=tolerance,
         task=task,
         relations=tuple(map(_parse_relation, relation)),
         state=state or "",
     )
     check_names((name,) if name is not None else ())
+    if is_of_values(domain):
+        return _new_value_problem(folder, domain, name, asked, goal, scene)
     with domain.naming_problems():
         name = name or (_name_of(scene, domain) if scene else domain.free_problem_name())
         check_names((name,))
@@ -114,6 +123,57 @@ def new_problem(
     _say_made(domain, folder, name, verb)
     say_next(f"neurosym plan {quoted(folder)} {name}")
     return 0
+
+
+def _new_value_problem(
+    folder: Path,
+    domain: DomainFolder,
+    name: str | None,
+    asked: "Asked",
+    goal: tuple[str, ...],
+    scene: Path | None,
+) -> int:
+    """Make a problem of a domain of values."""
+    from neurosym.stages.value_stages import task_of, value_problem_stage
+
+    if asked.task or asked.relations or asked.tolerance is not None:
+        raise InvalidValue("Problems with data of your own have no --task, --relation and --tolerance.")
+    with domain.naming_problems():
+        name = name or (_name_of(scene, domain) if scene else domain.free_problem_name())
+        stage = value_problem_stage(
+            domain,
+            name,
+            things=asked.objects,
+            actions=asked.actions,
+            seed=asked.seed,
+            goals=_parse_value_goals(goal),
+            scene=scene,
+        )
+        domain.perform(stage, again=True)
+    say(f"wrote {folder / problem_files(name)[0]} and its scene")
+    for thing, goals in task_of(domain, name).problem.goals.items():
+        for axis, value in goals.items():
+            told = f"{value[0]:g} to {value[1]:g}" if isinstance(value, tuple) else f"{value:g}"
+            say(f"  goal: {axis} of {thing}: {told}")
+    say_next(f"neurosym plan {quoted(folder)} {name}")
+    return 0
+
+
+def _parse_value_goals(texts: tuple[str, ...]) -> dict[str, dict[str, "Goal"]] | None:
+    goals = dict[str, dict[str, "Goal"]]()
+    for text in texts:
+        place, _, value = text.partition("=")
+        thing, _, axis = place.partition(".")
+        try:
+            bounds = tuple(map(float, value.split("..")))
+        except ValueError:
+            bounds = ()
+        if not (thing and axis and len(bounds) in (1, 2)):
+            raise InvalidValue(
+                f"The goal {text!r} cannot be read; write it as thing-01.AXIS=0.5, or 0.4..0.6."
+            )
+        goals.setdefault(thing, {})[axis] = bounds[0] if len(bounds) == 1 else (bounds[0], bounds[1])
+    return goals or None
 
 
 def _say_made(domain: DomainFolder, folder: Path, name: str, verb: str) -> None:
@@ -251,6 +311,7 @@ def plan(
     from neurosym.files import read_json
     from neurosym.stages.plan_records import PlanRecord, written_steps
     from neurosym.stages.planning import plan_stage
+    from neurosym.stages.value_stages import is_of_values, plan_values_stage
 
     if output == _STANDARD and json:
         raise InvalidValue("Both --output - and --json ask for standard output; leave one of them out.")
@@ -258,16 +319,22 @@ def plan(
     be_quiet(is_quiet() or output == _STANDARD)
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
-    stage = plan_stage(
-        domain,
-        name,
-        planner=planner,
-        time_limit=time_limit,
-        encoding=encoding,
-        whole=whole,
-        nearest=nearest,
-        tolerance=tolerance,
-    )
+    if of_values := is_of_values(domain):
+        if encoding or whole or nearest or tolerance is not None:
+            said = "With data of your own there are no --encoding, --whole, --nearest and --tolerance."
+            raise InvalidValue(said)
+        stage = plan_values_stage(domain, name, planner=planner, time_limit=time_limit)
+    else:
+        stage = plan_stage(
+            domain,
+            name,
+            planner=planner,
+            time_limit=time_limit,
+            encoding=encoding,
+            whole=whole,
+            nearest=nearest,
+            tolerance=tolerance,
+        )
     plan_file, record_file, _ = stage.outputs
     had_plan = (domain / plan_file).exists()
     domain.perform(stage, again=True)
@@ -281,8 +348,9 @@ def plan(
         said = f"; these steps are no plan of the printed problem{why}" if record.unprinted else ""
         say(f"wrote {folder / written}{said}")
         within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
-        say_next(f"neurosym execute {quoted(folder)} {name} {quoted(folder / written)}{within}")
-    else:
+        verb = "validate" if of_values else "execute"
+        say_next(f"neurosym {verb} {quoted(folder)} {name} {quoted(folder / written)}{within}")
+    elif not of_values:
         seen = f"show {quoted(folder)} --problem {name}"
         say_next(f"neurosym {seen if nearest else f'plan {quoted(folder)} {name} --nearest'}")
     if written and output == _STANDARD:
@@ -377,12 +445,15 @@ def validate(
     whether it leads to the goal by what was rehearsed, and whether objects end in each other: PDDL does not
     see that where objects are led over cells.
     """
+    from neurosym.stages.value_stages import is_of_values, judge_value_plan
     from neurosym.stages.verdicts import judge_plan
 
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
     plan_file = given_plan(domain, folder, name, plan_file, must_fit=False)
-    verdict = judge_plan(domain, name, plan_file, tolerance)
+    of_values = is_of_values(domain)
+    judged = judge_value_plan(domain, name, plan_file) if of_values else None
+    verdict = judged or judge_plan(domain, name, plan_file, tolerance)
     whole = ", written out with cells and places" if verdict.written_out else ""
     where = "" if verdict.pddl_failed is None else f"action {verdict.pddl_failed}: "
     said = "valid" if verdict.valid_by_pddl else f"not valid; {where}{verdict.pddl_reason}"
@@ -392,7 +463,7 @@ def validate(
         say(f"{verdict.chance:.0%} likely to go as promised, followed as it is")
     steps = counted(len(verdict.steps), "step")
     say(f"{verdict.plan}: {f'a plan of {steps}' if verdict.valid else 'no plan'} for {verdict.problem}")
-    if verdict.steps:
+    if verdict.steps and not of_values:
         say_next(f"neurosym execute {quoted(folder)} {name} {quoted(plan_file)}")
     answer(verdict, valid=verdict.valid)
     return 0 if verdict.valid else NO_RESULT

@@ -12,6 +12,7 @@ import numpy as np
 from neurosym.checks import Bool, Float
 from neurosym.choices import DEFAULT_STRATEGY as DEFAULT_STRATEGY
 from neurosym.choices import StrategyName as StrategyName
+from neurosym.data.axes import axes_in, check_flags, legal_name
 from neurosym.errors import InvalidValue, UnknownChoice, counted
 from neurosym.operators import TOLERANCE
 from neurosym.world import Mirror, column_problem
@@ -172,6 +173,9 @@ class _Read(msgspec.Struct, frozen=True):
     action_high: tuple[_Bound, ...] = ()
     mirrors: tuple[_Mirror, ...] = ()
     feature_names: tuple[str, ...] = ()
+    action_names: tuple[str, ...] = ()
+    choices: tuple[int, ...] = ()
+    axes: tuple[dict[str, Any], ...] = ()
 
 
 def file_problems(columns: Columns, origin: Mapping[str, Any], *, unread: Collection[str] = ()) -> list[str]:
@@ -222,9 +226,12 @@ def _origin_problems(origin: Mapping[str, Any], columns: Columns) -> list[str]:
         problems.append(f"{given}; valid: a list of different names")
     elif (count := _widths(usable).get("features", len(names))) != len(names) and "feature_names" in origin:
         problems.append(f"its origin has {len(names)} feature_names; valid: {count}, one for each")
+    problems += _axis_problems(origin, usable)
     if "actions" not in usable:
         return problems
     width = usable["actions"].shape[1]
+    if wrong := next((one for one in read.choices if not 0 <= one < width), None):
+        problems.append(f"its origin has {wrong} among choices; valid: columns from 0 to {width - 1}")
     if len(set(grippers) & set(range(width))) < len(grippers):
         problems.append(
             f"its origin has gripper_columns = {reprlib.repr(grippers)}; valid: different whole numbers "
@@ -236,6 +243,18 @@ def _origin_problems(origin: Mapping[str, Any], columns: Columns) -> list[str]:
         if axes and (problem := column_problem(Mirror(one.actions, one.effects), width, axes, grippers)):
             problems.append(f"its origin has the mirror {reprlib.repr(given)}; {problem}")
     return problems
+
+
+def _axis_problems(origin: Mapping[str, Any], usable: Columns) -> list[str]:
+    """List what is wrong with the axes that an origin describes, or with effects along them."""
+    if "axes" not in origin or "effects" not in usable:
+        return []
+    try:
+        axes = axes_in(origin["axes"], usable["effects"].shape[1])
+    except InvalidValue as error:
+        return [str(error).rstrip(".")]
+    names = origin.get("feature_names", ())
+    return check_flags(axes, usable["effects"], [legal_name(str(name)) for name in names])
 
 
 def _box_problems(actions: np.ndarray, origin: Mapping[str, Any], read: _Read) -> list[str]:

@@ -319,6 +319,16 @@ class EffectModel(EffectNetwork):
             table: np.ndarray = self.unscaled(mean).numpy()
         return table.reshape(len(features), len(primitives), -1)
 
+    def predict_symbols(
+        self, objects: Sequence[Symbol], actions: Sequence[Symbol]
+    ) -> Float[np.ndarray, "N E"]:
+        """Predict the effects of action symbols on object symbols, pair by pair."""
+        pairs = (tensor(np.array([signs(one) for one in symbols])) for symbols in (objects, actions))
+        with inference(self):
+            mean, _ = self.decode(*pairs)
+            found: np.ndarray = self.unscaled(mean).numpy()
+        return found
+
     def mean_entropies(
         self, features: Float[np.ndarray, "F"], candidates: Float[np.ndarray, "C A"]
     ) -> Float[np.ndarray, "C"]:

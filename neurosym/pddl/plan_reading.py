@@ -14,7 +14,7 @@ holds a plan as strings, as objects, or as text. No reader of a library does thi
 
 import math
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -107,7 +107,12 @@ def read_plan(path: Path, grounding: Grounding, problem: Problem) -> tuple[PlanS
 
 def read_actions(path: Path, grounding: Grounding, problem: Problem) -> tuple[Atom, ...]:
     """Read the ground actions of such a file, each with its arguments, whatever they mean."""
-    return tuple(one.words for one in _written(read_text(path, MOST_PLAN), path, grounding, problem))
+    return read_words(read_text(path, MOST_PLAN), path, _known(grounding, problem))
+
+
+def read_words(text: str, path: Path, known: Collection[str]) -> tuple[Atom, ...]:
+    """Read the ground actions of the text of a plan, as words; names that are known make a line a step."""
+    return tuple(one.words for one in _written(text, path, known))
 
 
 def parse_plan(
@@ -123,7 +128,7 @@ def parse_plan(
     followed from the start, lacks what belongs to a step, or has no steps and does not say so. The problem
     with some objects led over cells, with all motions, is as it is printed into a folder if not given.
     """
-    task, actions = understand(problem, grounding), _written(text, path, grounding, problem)
+    task, actions = understand(problem, grounding), _written(text, path, _known(grounding, problem))
     rows = [one.words for one in actions]
     while rows and rows[-1] == (_REACHED,):  # which some planners add
         rows.pop()
@@ -142,9 +147,8 @@ def parse_plan(
 # Text of any planner or service, read into ground actions
 
 
-def _written(text: str, path: Path, grounding: Grounding, problem: Problem) -> list[_Written]:
+def _written(text: str, path: Path, known: Collection[str]) -> list[_Written]:
     """Read the last plan that a text holds, in the order of times; of equal ones, and without, as written."""
-    known = _known(grounding, problem)
     text = _FENCE.sub("", "\n".join(text.splitlines()))
     if _JSON.match(text):
         text = _unwrapped(text, path)

@@ -34,7 +34,8 @@ def distill(
     """Find for each action symbol parameters whose embedding is its code: the candidates to choose from.
 
     A symbol that no action of the data has is not used, and is left out. If no candidate of
-    a symbol comes within `CONVERGED` of the code, the nearest one is returned.
+    a symbol comes within `CONVERGED` of the code, the nearest one is returned. Where actions are choices, as
+    the origin of the data says by `choices`, those of the data are the candidates, as they are.
 
     Args:
         model: Whose action encoder is inverted.
@@ -72,6 +73,7 @@ def distill(
         symbol: draw_of_every_kind(np.flatnonzero(found == symbol), outcomes, candidates, rng)
         for symbol in all_symbols(model.config.action_bits)
     }
+    steps = 0 if interactions.origin.get("choices") else steps
     begin = np.concatenate([actions[rows] for rows in starts.values()])
     owners = np.repeat([*starts], [len(rows) for rows in starts.values()])
     ends = np.concatenate(_descend(model, begin, owners, box, steps, progress))

@@ -45,7 +45,7 @@ from neurosym.worlds.aims import (
     RelatedFactory,
 )
 from neurosym.worlds.workers import check_workers
-from neurosym.worlds.world_file import origin_of, read_world
+from neurosym.worlds.world_file import has_world, origin_of, read_axes, read_world
 
 if TYPE_CHECKING:
     from neurosym.primitives.operator_search import Method
@@ -338,7 +338,7 @@ def distill_stage(
                 raise InvalidFile(folder / name, problem)
         known = model, network.predict_outcomes, interactions
         try:
-            if aim is OBJECTS and not (folder / layout.WORLD).exists():
+            if aim is OBJECTS and not has_world(folder / layout.WORLD):
                 box = ActionBox(*box_of(interactions.actions, interactions.origin))
                 found = average_operators(*known, box, choice, seed=seed, open_bar=progress_bar)
             else:
@@ -369,7 +369,10 @@ def distill_stage(
     options |= {} if budget == BUDGET else {"budget": budget}
     options |= held.options
     options |= {} if aim.folder else {"choice": choice}
-    inputs = tuple(dict.fromkeys((layout.WORLD, aim.categories, of_model, of_network, data, *besides)))
+    world = (
+        () if read_axes(folder / layout.WORLD) else (layout.WORLD,)
+    )  # which axes there are decides nothing
+    inputs = tuple(dict.fromkeys((*world, aim.categories, of_model, of_network, data, *besides)))
     return Stage(aim.stage("distill"), inputs, (aim.table,), work, options, Claim.ALONE)
 
 

@@ -1,10 +1,12 @@
 """`world.toml`: which world a domain folder belongs to, and its options.
 
-A world is one of ours by its name, or anybody's own as `module:factory` (`neurosym.worlds.own_world`).
+A world is one of ours by its name, or anybody's own as `module:factory` (`neurosym.worlds.own_world`). Data
+of which there is no world say `world = "none"`, and along which axes their effects are.
 """
 
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import asdict, fields, is_dataclass
 from functools import partial
 from importlib import import_module
@@ -16,6 +18,7 @@ import tomli_w
 
 from neurosym.choices import is_factory
 from neurosym.contract import ObjectLimits
+from neurosym.data.axes import Axis, as_tables, axes_in
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted, shortened
 from neurosym.files import LARGEST_WHOLE, read_toml
 from neurosym.world import World
@@ -72,6 +75,38 @@ def _check_finite(value: Any, name: str = "options") -> None:
         _check_finite(entry, str(key) if isinstance(value, dict) else name)
 
 
+NONE = "none"
+"""What a `world.toml` says where nothing can be performed, since there are only data."""
+
+
+def has_world(path: Path) -> bool:
+    """Say whether there is a `world.toml` that names a world."""
+    return path.is_file() and _read(path)[0] != NONE
+
+
+def read_axes(path: Path) -> tuple[Axis, ...]:
+    """Read from a `world.toml` along which axes effects are; nothing if it does not say.
+
+    Raises:
+        InvalidFile: If there can be no such axes.
+    """
+    if not path.is_file() or _read(path)[0] != NONE:
+        return ()
+    try:
+        return axes_in(read_toml(path).get("axes", []))
+    except InvalidValue as error:
+        raise InvalidFile(path, str(error).rstrip(".")) from error
+
+
+def axes_text(axes: Sequence[Axis]) -> str:
+    """Return the text of a `world.toml` for data of which there is no world."""
+    remark = (
+        "# Data of which there is no world. What is not said of an axis (kind, unit, cell, low, high,\n"
+        "# tolerance, period) is measured on the data by `neurosym compile-domain`.\n"
+    )
+    return remark + tomli_w.dumps({"world": NONE, "axes": as_tables(axes)})
+
+
 def make_world(name: str, options: dict[str, Any]) -> World:
     """Make a world by its name.
 
@@ -102,6 +137,9 @@ def read_world(path: Path) -> "partial[World] | OwnFactory":
         InvalidFile: If the file is not TOML, or names an unknown world, option or value.
     """
     name, options = _read(path)
+    if name == NONE:
+        said = f'it says world = "{NONE}", so nothing can be performed; valid here: module:factory of a world'
+        raise InvalidFile(path, said)
     try:
         if is_factory(name):
             _check_finite(options)
@@ -127,7 +165,7 @@ def read_limits(path: Path) -> ObjectLimits | None:
         InvalidFile: If the file is not TOML, or names an unknown world, option or value.
     """
     name, options = _read(path)
-    if is_factory(name):
+    if is_factory(name) or name == NONE:
         return None
     try:
         limits: ObjectLimits = _configured(name, options).object_limits
@@ -141,6 +179,8 @@ def _read(path: Path) -> tuple[str, dict[str, Any]]:
     remedy = f"; mend it, or remove it, and `neurosym init {quoted(path.parent)}` writes a new one"
     document = read_toml(path, remedy)
     name, options = document.pop("world", None), document.pop("options", {})
+    if name == NONE:
+        document.pop("axes", None)
     if document or not isinstance(name, str) or not isinstance(options, dict):
         extra = f"; there is no place for {shortened(next(iter(document)))!r}" if document else ""
         raise InvalidFile(path, f'it must hold world = "NAME" and a table [options]{extra}')

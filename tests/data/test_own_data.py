@@ -1,10 +1,11 @@
-"""Data of one's own go as far as they can: trained, distilled, and told what a domain would need besides."""
+"""Data of one's own go the whole way: trained, distilled, compiled, planned with, and judged by others."""
 
 import json
 import re
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 from command_line import contents, neurosym, refusal
 from documents import python_blocks
@@ -31,10 +32,16 @@ def learned(tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(place)
         exec(EXAMPLE, {})
-        for command, *rest in map(str.split, COMMANDS):
-            quick = ["--regime", "quick"] if command == "train" else []
-            assert neurosym(command, *rest, *quick) == 0
+        type_commands("discs")
     return place / "discs"
+
+
+def type_commands(folder: str) -> None:
+    """Type what the document types in a folder, with a quick training."""
+    for command, named, *rest in map(str.split, COMMANDS):
+        quick = ["--regime", "quick"] if command == "train" else []
+        if named == folder:
+            assert neurosym(command, named, *rest, *quick) == 0, command
 
 
 @pytest.fixture
@@ -44,20 +51,52 @@ def discs(learned, tmp_path):
 
 
 def test_the_documents_example_is_learned_through_the_bits(learned):
-    assert [typed.split()[0] for typed in COMMANDS] == ["check", "train", "distill"]
-    assert len(EXAMPLE.splitlines()) <= 18
+    assert len(EXAMPLE.splitlines()) <= 19
     report = json.loads((learned / "training.json").read_text())
     assert report["r2_through_codes"] > 0.8
     assert len(report["mae"]["model"]) == 2
 
 
-def test_distill_says_what_it_did_and_what_a_domain_needs(discs, capsys):
-    assert neurosym("distill", discs) == 0
+def test_a_plan_for_the_documents_example_is_one_by_others(discs, capsys):
+    plan = discs / "plans" / "task-01.fast-downward.plan"
+    capsys.readouterr()
+    assert neurosym("validate", discs, "task-01", plan) == 0
+    assert "as unified-planning's validator says: valid" in capsys.readouterr().out
+    plan.write_text(plan.read_text().partition("\n")[2])
+    assert neurosym("validate", discs, "task-01", plan) == 3
+    domain = (discs / "domain.pddl").read_text()
+    assert "; x (length): " in domain
+    assert "(:action move-y" in domain
+
+
+def test_a_csv_of_a_room_becomes_a_plan_in_six_commands(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    rng = np.random.default_rng(0)
+    lines = ["feature.temperature,feature.door,choice.move,after.temperature,after.door"]
+    for _ in range(600):
+        warm, door, move = (
+            rng.uniform(10, 30),
+            int(rng.integers(2)),
+            str(rng.choice(["heat", "cool", "door"])),
+        )
+        change = {"heat": 2.0, "cool": -2.0, "door": 0.0}[move] / (3 if door else 1) + rng.normal(0, 0.05)
+        lines.append(f"{warm},{door},{move},{warm + change},{1 - door if move == 'door' else door}")
+    Path("room.csv").write_text("\n".join(lines))
+    type_commands("room")
     said = capsys.readouterr().out
-    assert "averaged from the data" in said
-    assert "no PDDL domain can be made of 2 axes" in said
-    assert "effects of 2 axes; a PDDL domain needs 3" in refusal(capsys, "compile-domain", discs)
-    assert not (discs / "domain.pddl").exists()
+    assert "verdict: good" in said.split("axes; world.toml")[1]
+    assert neurosym("validate", "room", "task-01", "room/plans/task-01.fast-downward.plan") == 0
+    assert "valid" in capsys.readouterr().out
+    assert "room.csv" not in refusal(
+        capsys, "execute", "room", "task-01", "room/plans/task-01.fast-downward.plan"
+    )
+    assert "exists already" in refusal(capsys, "init", "room", "--data", "room.csv")
+    axes = Path("room/world.toml").read_text()
+    Path("room/world.toml").write_text(axes.replace('"temperature"', '"temperature", cell = 2.0, unit = "C"'))
+    assert neurosym("compile-domain", "room") == 0
+    assert "by 2" in capsys.readouterr().out
+    Path("room/world.toml").write_text(axes.replace('"temperature"', '"temperature", cell = 0'))
+    assert "a cell of 0" in refusal(capsys, "compile-domain", "room")
 
 
 def test_own_data_along_three_axes_lack_nothing_but_a_world(folder, capsys):
@@ -123,4 +162,5 @@ def test_one_effect_axis_and_no_gripper_go_the_whole_way(tmp_path, capsys):
     assert "e1" in said
     assert "\nverdict: " in said
     assert neurosym("distill", tmp_path) == 0
-    assert "no PDDL domain can be made of 1 axis" in capsys.readouterr().out
+    assert neurosym("compile-domain", tmp_path) == 0
+    assert "e1 (length)" in (tmp_path / "domain.pddl").read_text()

@@ -1,0 +1,323 @@
+"""Tables as people have them, read as interactions: .csv, .npy, .npz, .safetensors and .pt.
+
+Which columns are what, their names say, as `feature.mass`, `action.speed`, `choice.gear`, `effect.x` and
+`after.x`, or a small file does. Nothing of a table is ever unpickled or executed.
+"""
+
+import csv
+import io
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+from safetensors import SafetensorError
+from safetensors.numpy import load
+
+from neurosym.checks import Float
+from neurosym.data.archives import read_arrays
+from neurosym.data.axes import Axis, as_tables, axes_in, legal_name
+from neurosym.data.interactions import Interactions
+from neurosym.data.origin import FLAGS, file_problems
+from neurosym.errors import InvalidData, InvalidFile, InvalidValue, listed_briefly, shortened
+from neurosym.files import MOST_DATA, opened, read_bytes, read_toml
+
+KINDS = (".csv", ".npy", ".npz", ".pt", ".safetensors")
+"""What tables may be."""
+_ROLES = {"feature": "features", "action": "actions", "choice": "choices", "effect": "effects"}
+"""What names of columns may begin with."""
+_TRUTH = {"true": 1.0, "false": 0.0, "yes": 1.0, "no": 0.0}
+_PART = re.compile(r"(?P<name>.+)\[(?P<first>\d+)(?P<range>:(?P<last>\d+))?\]")
+_MOST_CHOICES = 64  # of one column: each becomes a column of its own
+
+
+class Roles(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """Which columns of a table are what; an array is all its columns, and `array[0:2]` some of them."""
+
+    features: tuple[str, ...]  # what the thing was like that was acted upon
+    actions: tuple[str, ...] = ()  # numbers that say what was done
+    choices: tuple[str, ...] = ()  # the same by whole numbers or words of which one is chosen
+    effects: tuple[str, ...] = ()  # what was added along each axis, or became of what is set
+    after: tuple[str, ...] | dict[str, str] = ()  # or what features became: all in order, or some by name
+    axes: tuple[dict[str, Any], ...] = ()  # what effects are along; see `Axis`
+    names: dict[str, tuple[str, ...]] = {}  # names of the columns of an array
+    origin: dict[str, Any] = {}  # what else is known, as docs/data.md has it
+
+
+Table = Mapping[str, np.ndarray]
+"""Columns (N,) and arrays (N, C) by name; a column of a .csv file may hold words."""
+
+
+def read_interactions(path: Path, columns: Path | None = None) -> Interactions:
+    """Read a table as interactions.
+
+    Args:
+        path: The table; one of `KINDS`.
+        columns: A TOML file that says which columns are what, if their names do not.
+
+    Raises:
+        InvalidFile: If a file cannot be read.
+        InvalidData: If what the table holds cannot be learned from; all problems are told.
+    """
+    table = _read(path)
+    where = columns or path
+    if columns:
+        try:
+            mapping = msgspec.convert(read_toml(columns), Roles)
+        except msgspec.ValidationError as error:
+            raise InvalidFile(columns, str(error).rstrip(".")) from error
+    else:
+        mapping = _by_names(path, table)
+    try:
+        arrays, origin = _gathered(table, mapping)
+    except InvalidValue as error:
+        raise InvalidFile(where, str(error).rstrip(".")) from error
+    if problems := file_problems(arrays, origin):
+        raise InvalidData(path, problems)
+    rows = len(arrays["features"])
+    effects = arrays["effects"]
+    none, nothing = np.zeros(rows, dtype=bool), np.zeros(rows, dtype=np.float32)
+    flags = dict.fromkeys(FLAGS, none)
+    return Interactions(**arrays, resting_effects=effects, peak_heights=nothing, **flags, origin=origin)
+
+
+def _read(path: Path) -> dict[str, np.ndarray]:
+    """Read a table by what its name ends with."""
+    readers = {
+        ".csv": _read_csv,
+        ".npy": _read_npy,
+        ".npz": _read_npz,
+        ".pt": _read_pt,
+        ".safetensors": _read_tensors,
+    }
+    if path.suffix.lower() not in readers:
+        raise InvalidFile(path, f"it is none of the tables that are read; valid: {', '.join(KINDS)}")
+    table = readers[path.suffix.lower()](path)
+    rows = {name: len(column) for name, column in table.items() if column.ndim in (1, 2)}
+    if not rows:
+        raise InvalidFile(path, "it holds no column of numbers")
+    return {name: column for name, column in table.items() if name in rows}
+
+
+def _read_csv(path: Path) -> dict[str, np.ndarray]:
+    """Read a text table with a header; columns in which all is a number or a truth value become numbers."""
+    text = read_bytes(path, MOST_DATA).decode("utf-8-sig", errors="replace")
+    delimiter = max(",;\t", key=text.partition("\n")[0].count)
+    rows = [row for row in csv.reader(io.StringIO(text), delimiter=delimiter) if any(map(str.strip, row))]
+    header = [name.strip() for name in rows[0]] if rows else []
+    if len(rows) < 2 or len({*header}) < len(header) or not all(header):
+        raise InvalidFile(path, "it has no header of different names, and rows below it")
+    for number, row in enumerate(rows[1:], start=2):
+        if len(row) != len(header):
+            raise InvalidFile(
+                path, f"row {number} has {len(row)} entries; valid: {len(header)}, as the header"
+            )
+    columns = zip(*rows[1:], strict=True)
+    return {name: _as_numbers(entries) for name, entries in zip(header, columns, strict=True)}
+
+
+def _as_numbers(entries: Sequence[str]) -> np.ndarray:
+    words = [entry.strip() for entry in entries]
+    try:
+        return np.array([_TRUTH.get(word.lower(), word) for word in words]).astype(np.float64)
+    except ValueError:
+        return np.array(words)
+
+
+def _read_npy(path: Path) -> dict[str, np.ndarray]:
+    """Read one array: its fields if it has names for them, else all of it as `table`."""
+    try:
+        with opened(path, MOST_DATA) as file:
+            array = np.load(file, allow_pickle=False)
+    except (ValueError, EOFError) as error:
+        raise InvalidFile(path, "it is no .npy file of plain numbers; nothing is unpickled") from error
+    return {name: array[name] for name in array.dtype.names} if array.dtype.names else {"table": array}
+
+
+def _read_npz(path: Path) -> dict[str, np.ndarray]:
+    _, given, _ = read_arrays(path, ())
+    arrays, _, problems = read_arrays(path, given)
+    if problems:
+        raise InvalidData(path, problems)
+    return arrays
+
+
+def _read_pt(path: Path) -> dict[str, np.ndarray]:
+    """Read plain tensors by name; weights only, so that no code of the file runs."""
+    import torch
+
+    try:
+        with opened(path, MOST_DATA) as file:
+            found = torch.load(file, map_location="cpu", weights_only=True)
+    except InvalidFile:
+        raise
+    except Exception as error:  # torch and pickle raise all kinds
+        raise InvalidFile(path, "it is no .pt file of plain tensors; nothing else is unpickled") from error
+    named = found if isinstance(found, dict) else {"table": found}
+    return {str(name): one.numpy() for name, one in named.items() if isinstance(one, torch.Tensor)}
+
+
+def _read_tensors(path: Path) -> dict[str, np.ndarray]:
+    try:
+        found: dict[str, np.ndarray] = load(read_bytes(path, MOST_DATA))
+    except (SafetensorError, LookupError, MemoryError, TypeError, ValueError) as error:
+        raise InvalidFile(path, "it is not a safetensors file, or it is damaged") from error
+    return found
+
+
+def _by_names(path: Path, table: Table) -> Roles:
+    """Tell by their names what columns are: `feature.mass`, or arrays called `features` and so on."""
+    roles: dict[str, list[str]] = {role: [role] for role in _ROLES.values() if role in table}
+    after = dict[str, str]()
+    for column in table:
+        role, dot, name = column.partition(".")
+        if dot and name and role in _ROLES:
+            roles.setdefault(_ROLES[role], []).append(column)
+        elif dot and name and role == "after":
+            after[name] = column
+    given = {role: tuple(names) for role, names in roles.items()}
+    if "features" not in given:
+        raise InvalidFile(
+            path,
+            f"its columns are called {listed_briefly([*map(shortened, table)])}; valid: names such as "
+            "feature.mass, action.speed, choice.gear, effect.x and after.mass, or --columns FILE",
+        )
+    return Roles(**given, after=after)  # type: ignore[arg-type]  # of names alone
+
+
+@dataclass(frozen=True)
+class _Chosen:
+    """Columns of a table that have one role."""
+
+    names: list[str]
+    values: Float[np.ndarray, "N C"]
+
+
+def _chosen(table: Table, mapping: Roles, wanted: Sequence[str]) -> _Chosen:
+    """Take columns of numbers from a table, as they are named in a mapping."""
+    names, parts = list[str](), list[np.ndarray]()
+    for one in wanted:
+        found = _column(table, one)
+        if found.dtype.kind not in "fiub":
+            raise InvalidValue(
+                f"The column {shortened(one)} is text, as {shortened(str(found.flat[0]))!r}; valid: numbers, "
+                "or one of the choices"
+            )
+        part = _PART.fullmatch(one) if one not in table else None
+        array = part["name"] if part else one
+        first = int(part["first"]) if part else 0
+        given = mapping.names.get(array, ())
+        plain = one.partition(".")[2] if one.partition(".")[0] in (*_ROLES, "after") else one
+        for number in range(found.shape[1]):
+            own = given[first + number : first + number + 1]
+            is_single = found.shape[1] == 1 and not part
+            names.append(own[0] if own else plain if is_single else f"{array}{first + number}")
+        parts.append(found.astype(np.float64))
+    return _Chosen(names, np.concatenate(parts, axis=1) if parts else np.zeros((_rows(table), 0)))
+
+
+def _column(table: Table, name: str) -> np.ndarray:
+    """Return a column, an array, or some columns of one, as (N, C)."""
+    part = _PART.fullmatch(name) if name not in table else None
+    array = part["name"] if part else name
+    if array not in table:
+        raise InvalidValue(
+            f"There is no column {shortened(name)}; there are: {listed_briefly([*map(shortened, table)])}"
+        )
+    found = table[array] if table[array].ndim == 2 else table[array][:, None]
+    if part is None:
+        return found
+    first = int(part["first"])
+    last = int(part["last"]) if part["range"] else first + 1
+    if not first < last <= found.shape[1]:
+        raise InvalidValue(f"{name} are no columns of {array}, which has {found.shape[1]}")
+    return found[:, first:last]
+
+
+def _rows(table: Table) -> int:
+    return len(next(iter(table.values())))
+
+
+def _gathered(table: Table, mapping: Roles) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
+    """Return the arrays of interactions, and their origin."""
+    if not (mapping.actions or mapping.choices):
+        raise InvalidValue("It names no actions; valid: columns of actions, or of choices")
+    if bool(mapping.effects) == bool(mapping.after):
+        raise InvalidValue("It must name effects, or else what became of features afterwards, and not both")
+    features = _chosen(table, mapping, mapping.features)
+    actions = _chosen(table, mapping, mapping.actions)
+    names, columns = [*actions.names], [actions.values]
+    for one in mapping.choices:
+        words, marks = _marked(_column(table, one), one)
+        names += words
+        columns.append(marks)
+    if mapping.effects:
+        effects = _chosen(table, mapping, mapping.effects)
+        axes = axes_in(mapping.axes, effects.values.shape[1]) if mapping.axes else _named(effects.names)
+        changed = effects.values
+    else:
+        axes, changed = _changed(table, mapping, features)
+    arrays = {"features": features.values, "actions": np.concatenate(columns, axis=1), "effects": changed}
+    origin: dict[str, Any] = {
+        "feature_names": features.names,
+        "action_names": names,
+        "axes": as_tables(axes),
+        **({"choices": list(range(actions.values.shape[1], len(names)))} if mapping.choices else {}),
+        **mapping.origin,
+    }
+    return {name: array.astype(np.float32) for name, array in arrays.items()}, origin
+
+
+def _marked(column: np.ndarray, name: str) -> tuple[list[str], np.ndarray]:
+    """Return a column for each choice that a column holds, which is 1 where that was chosen."""
+    if column.shape[1] != 1:
+        raise InvalidValue(f"{name} has {column.shape[1]} columns; valid: one that holds what was chosen")
+    choices, rows = np.unique(column[:, 0], return_inverse=True)
+    if not 2 <= len(choices) <= _MOST_CHOICES:
+        raise InvalidValue(f"{name} holds {len(choices)} choices; valid: 2 to {_MOST_CHOICES}")
+    plain = name.removeprefix("choice.")
+    said = [
+        f"{plain}={choice:g}" if choice.dtype.kind in "fiub" else f"{plain}={choice}" for choice in choices
+    ]
+    return said, np.eye(len(choices))[rows]
+
+
+def _changed(
+    table: Table, mapping: Roles, features: _Chosen
+) -> tuple[tuple[Axis, ...], Float[np.ndarray, "N E"]]:
+    """Return the axes of what became of features, and the effects along them."""
+    if isinstance(mapping.after, dict):
+        before, columns = [*mapping.after], [*mapping.after.values()]
+    else:
+        before, columns = features.names, [*mapping.after]
+    after = _chosen(table, mapping, columns).values
+    if missing := next((name for name in before if name not in features.names), None):
+        raise InvalidValue(
+            f"after names {missing}, which is no feature; features: {', '.join(features.names)}"
+        )
+    if after.shape[1] != len(before):
+        raise InvalidValue(f"after has {after.shape[1]} columns; valid: {len(before)}, one for each feature")
+    now = features.values[:, [features.names.index(name) for name in before]]
+    axes = axes_in(mapping.axes, None) if mapping.axes else ()
+    known = {axis.name: axis for axis in axes}
+    if strange := next((name for name in known if name not in map(legal_name, before)), None):
+        raise InvalidValue(f"There is an axis {strange}, which `after` does not name")
+    if known:
+        keep = [number for number, name in enumerate(before) if legal_name(name) in known]
+        axes = tuple(known[legal_name(before[number])] for number in keep)
+    else:
+        keep = [number for number in range(len(before)) if np.any(after[:, number] != now[:, number])]
+        both = np.stack([now, after])
+        kinds = ["flag" if np.isin(both[:, :, number], (0, 1)).all() else "length" for number in keep]
+        axes = tuple(Axis(legal_name(before[n]), kind) for n, kind in zip(keep, kinds, strict=True))  # type: ignore[arg-type]
+    if not keep:
+        raise InvalidValue("Nothing differs between the features and what they became")
+    effects = [axis.difference(after[:, n], now[:, n]) for axis, n in zip(axes, keep, strict=True)]
+    return axes, np.stack(effects, axis=1)
+
+
+def _named(names: Sequence[str]) -> tuple[Axis, ...]:
+    return axes_in([{"name": legal_name(name)} for name in names])

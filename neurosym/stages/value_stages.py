@@ -1,0 +1,283 @@
+"""The stages of a domain of values: data of which there is no world, compiled, planned with and judged."""
+
+from collections.abc import Mapping
+from contextlib import suppress
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from neurosym.data.axes import legal_name
+from neurosym.data.interactions import Interactions
+from neurosym.data.origin import is_explored
+from neurosym.errors import InvalidFile, InvalidPlan, InvalidValue, UnknownChoice
+from neurosym.files import make_folder, read_json, read_text, remove, write_atomically, write_json
+from neurosym.operators import OperatorTable
+from neurosym.pddl.plan_reading import MOST_PLAN, read_words
+from neurosym.planners.planner import PlanResult, PlanStatus
+from neurosym.planners.registry import planner_named
+from neurosym.planners.unified_planning import validate_pddl
+from neurosym.stages import layout
+from neurosym.stages.folder import Claim, DomainFolder, Stage
+from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.verdicts import PlanVerdict
+from neurosym.tasks.transition import named_steps
+from neurosym.values.domain import ValueDomain
+from neurosym.values.outcomes import compile_values
+from neurosym.values.problem import FORMAT, Goal, Thing, ValueProblem, ValueTask, known_to
+from neurosym.values.value_page import known_words, read_steps, value_page, value_problem, written
+from neurosym.values.value_planning import Predict, plan_values
+from neurosym.worlds.world_file import has_world, read_axes
+
+
+def is_of_values(folder: DomainFolder) -> bool:
+    """Say whether a folder holds a user's own data, of which there is no world."""
+    data = folder / layout.INTERACTIONS
+    if has_world(folder / layout.WORLD) or not data.is_file():
+        return False
+    return not is_explored(Interactions.load(data).origin)
+
+
+def compile_values_stage(folder: DomainFolder, *, name: str | None = None) -> Stage:
+    """Compile a domain of values: data, symbols and their parameters -> `domain.pddl`, `grounding.json`.
+
+    Args:
+        folder: The domain folder.
+        name: Name of the domain; that of the folder if not given.
+    """
+
+    def work() -> None:
+        from neurosym.learning.network import EffectModel
+
+        table = OperatorTable.load(folder.require(layout.PRIMITIVES))
+        model = EffectModel.load(folder.require(layout.MODEL))
+        try:
+            domain = compile_values(
+                Interactions.load(folder.require(layout.INTERACTIONS)),
+                table,
+                name=name or legal_name(folder.path.resolve().name),
+                object_symbols=model.object_symbols,
+                action_symbols=model.action_symbols,
+                axes=read_axes(folder / layout.WORLD),
+            )
+        except InvalidValue as error:
+            raise InvalidFile(folder / layout.INTERACTIONS, str(error).rstrip(".")) from error
+        write_atomically(folder / layout.DOMAIN, value_page(domain).text())
+        write_json(folder / layout.GROUNDING, domain)
+        for scene in sorted((folder / layout.PROBLEMS).glob(f"*{layout.SCENE}")):
+            with suppress(InvalidFile, InvalidValue):  # a problem of another domain
+                _put(folder, read_json(scene, ValueProblem), domain)
+
+    inputs = (layout.WORLD, layout.INTERACTIONS, layout.MODEL, layout.PRIMITIVES)
+    options = {"name": name} if name else {}
+    return Stage("compile-domain", inputs, (layout.DOMAIN, layout.GROUNDING), work, options, Claim.ALONE)
+
+
+def domain_of(folder: DomainFolder) -> ValueDomain:
+    """Read the domain of values that was compiled."""
+    return ValueDomain.load(folder.require(layout.GROUNDING))
+
+
+def _put(folder: DomainFolder, problem: ValueProblem, domain: ValueDomain) -> None:
+    """Write a problem, as we read it and printed, with what the network says of its things."""
+    from neurosym.learning.network import EffectModel
+
+    model = EffectModel.load(folder.require(layout.MODEL))
+    things = tuple(known_to(thing, domain, model.object_symbols) for thing in problem.things)
+    problem = ValueProblem(FORMAT, problem.name, things, problem.goals, problem.provenance)
+    task = ValueTask(problem, domain)
+    make_folder(folder / layout.PROBLEMS)
+    write_atomically(folder / layout.problem_file(problem.name, layout.PDDL), value_problem(task).text())
+    problem.save(folder / layout.scene_file(problem.name))
+
+
+def value_problem_stage(
+    folder: DomainFolder,
+    name: str,
+    *,
+    things: int = 1,
+    actions: int = 1,
+    seed: int = 0,
+    goals: Mapping[str, Mapping[str, Goal]] | None = None,
+    scene: Path | None = None,
+) -> Stage:
+    """Make a problem of values: domain, data and network -> `problems/NAME.pddl` and `.scene.json`.
+
+    Args:
+        folder: The domain folder.
+        name: Name of the problem.
+        things: How many things there are, drawn from the rows of the data.
+        actions: To what so many random operators lead is the goal, if none is given.
+        seed: Same seed, same problem.
+        goals: What axes of things shall become.
+        scene: A file that holds a whole problem, if given.
+    """
+
+    def work() -> None:
+        domain = domain_of(folder)
+        if scene is not None:
+            given = read_json(scene, ValueProblem)
+            problem = ValueProblem(FORMAT, name, given.things, given.goals, given.provenance)
+        else:
+            problem = _drawn(folder, domain, name, things, actions, seed, goals)
+        try:
+            _put(folder, problem, domain)
+        except (InvalidValue, UnknownChoice) as error:
+            if scene is None:
+                raise
+            raise InvalidFile(scene, str(error).rstrip(".")) from error
+
+    inputs = (layout.GROUNDING, layout.MODEL, layout.INTERACTIONS)
+    options: dict[str, Any] = {"things": things, "actions": actions, "seed": seed, "goals": goals}
+    outputs = (layout.problem_file(name, layout.PDDL), layout.scene_file(name))
+    return Stage(f"new-problem {name}", inputs, outputs, work, options)
+
+
+def _drawn(
+    folder: DomainFolder,
+    domain: ValueDomain,
+    name: str,
+    count: int,
+    actions: int,
+    seed: int,
+    goals: Mapping[str, Mapping[str, Goal]] | None,
+) -> ValueProblem:
+    """Draw things from the data; random operators lead to the goal unless it is given."""
+    from neurosym.learning.network import EffectModel
+
+    rng = np.random.default_rng(seed)
+    data = Interactions.load(folder.require(layout.INTERACTIONS))
+    categorise = EffectModel.load(folder.require(layout.MODEL)).object_symbols
+    rows = rng.choice(len(data), size=count, replace=count > len(data))
+    names = [f"thing-{number:02d}" for number in range(1, count + 1)]
+    things = tuple(
+        known_to(Thing(one, tuple(map(float, data.features[row]))), domain, categorise)
+        for one, row in zip(names, rows.tolist(), strict=True)
+    )
+    told = f"new-problem with seed {seed}" + (", goals by hand" if goals else f" and {actions} actions")
+    if goals:
+        return ValueProblem(FORMAT, name, things, {key: dict(value) for key, value in goals.items()}, told)
+    usual: dict[str, Goal] = {domain.axes[0].name: domain.cells[0].centre(0)}
+    task = ValueTask(ValueProblem(FORMAT, name, things, {names[0]: usual}, told), domain)
+    states = dict(task.start)
+    for _ in range(actions):
+        thing = names[int(rng.integers(count))]
+        possible = [one for one in domain.operators if not task.refusal(thing, states[thing], one)]
+        if possible:
+            chosen = possible[int(rng.integers(len(possible)))]
+            states[thing] = task.apply(states[thing], chosen) or states[thing]
+    reached: dict[str, dict[str, Goal]] = {
+        thing: {
+            cells.axis.name: round(cells.centre(there), 6)
+            for cells, here, there in zip(domain.cells, task.start[thing], states[thing], strict=True)
+            if here != there
+        }
+        for thing in names
+    }
+    changed = {thing: some for thing, some in reached.items() if some}
+    return ValueProblem(FORMAT, name, things, changed or task.problem.goals, told)
+
+
+def task_of(folder: DomainFolder, name: str) -> ValueTask:
+    """Read a problem of a folder, and understand it."""
+    domain = domain_of(folder)
+    return ValueTask(
+        ValueProblem.read(folder.require(layout.scene_file(folder.problem(name))), domain), domain
+    )
+
+
+def plan_values_stage(
+    folder: DomainFolder, name: str, *, planner: str, time_limit: float | None = None
+) -> Stage:
+    """Plan with values: problem and domain (and network, for bfs) -> `plans/NAME.PLANNER.plan`, `.json`.
+
+    Args:
+        folder: The domain folder.
+        name: Name of the problem.
+        planner: Name of the planner.
+        time_limit: The user's ceiling [s].
+    """
+    chosen = planner_named(planner, folder.path)
+    plan_file, record_file = layout.plan_files(name, chosen.name)
+
+    def work() -> None:
+        task = task_of(folder, name)
+        limit = chosen.ceiling if time_limit is None else time_limit
+        predict = _prediction(folder) if chosen.reads == "network" else None
+        result = plan_values(task, chosen, time_limit=limit, predict=predict)
+        _write_plan(folder, task, chosen.name, result)
+
+    options: dict[str, Any] = {"time_limit": time_limit}
+    inputs = (
+        layout.scene_file(name),
+        layout.GROUNDING,
+        *((layout.MODEL,) if chosen.reads == "network" else ()),
+    )
+    outputs = (plan_file, record_file, layout.steps_file(plan_file))
+    return Stage(f"plan {name} {chosen.name}", inputs, outputs, work, options)
+
+
+def _prediction(folder: DomainFolder) -> Predict:
+    """Return what the network of a folder predicts through the symbols."""
+    from neurosym.learning.network import EffectModel
+
+    model = EffectModel.load(folder.require(layout.MODEL))
+    return model.predict_symbols
+
+
+def _write_plan(folder: DomainFolder, task: ValueTask, planner: str, result: PlanResult) -> None:
+    name = task.problem.name
+    plan_file, record_file = layout.plan_files(name, planner)
+    make_folder(folder / layout.PLANS)
+    remove(folder / plan_file)
+    found = dict[str, Any]()
+    if result.status is PlanStatus.SOLVED:
+        misses = task.replay(result.steps)[1]
+        if misses:
+            found["misses"] = misses
+        else:
+            text = "".join(f"({' '.join(words)})\n" for words in written(result.steps, task))
+            write_atomically(folder / plan_file, text)
+            found["digest"] = sha256(text.encode()).hexdigest()
+        found["chance"] = round(task.chance(result.steps), 4)
+    record = PlanRecord(
+        problem=name,
+        planner=planner,
+        status=result.status,
+        steps=named_steps(result.steps),
+        seconds=round(result.seconds, 3),
+        reason=result.reason,
+        **found,
+    )
+    write_json(folder / record_file, record)
+
+
+def judge_value_plan(folder: DomainFolder, name: str, plan_file: Path) -> PlanVerdict:
+    """Say whether a plan is valid by the printed domain and by its replay.
+
+    Raises:
+        InvalidPlan: If the file cannot be read as a plan.
+    """
+    task = task_of(folder, name)
+    actions = read_words(read_text(plan_file, MOST_PLAN), plan_file, known_words(task))
+    steps = read_steps(actions)
+    try:
+        replay = task.replay(steps)[1]
+    except UnknownChoice as error:
+        raise InvalidPlan(plan_file, 1, str(error).rstrip(".")) from error
+    verdict = validate_pddl(value_page(task.domain).text(), value_problem(task).text(), actions)
+    return PlanVerdict(
+        problem=name,
+        plan=str(plan_file),
+        valid_by_pddl=verdict.valid,
+        valid_by_replay=not replay,
+        domain=layout.DOMAIN,
+        written_out=False,
+        pddl_reason=verdict.reason,
+        pddl_failed=verdict.failed,
+        replay_reason=replay,
+        replay_failed=None,
+        steps=named_steps(steps),
+        chance=None if replay else round(task.chance(steps), 4),
+    )

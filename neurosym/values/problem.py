@@ -1,0 +1,212 @@
+"""Problems of values: things with features, and what some of their values shall become."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import prod
+from pathlib import Path
+
+import msgspec
+import numpy as np
+
+from neurosym.checks import Float, as_path
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.files import read_json, write_json
+from neurosym.operators import Length, Symbol, Versioned
+from neurosym.problems import check_names
+from neurosym.tasks.transition import PlanStep
+from neurosym.values.domain import MOST_STATES, ValueDomain, ValueOperator
+
+FORMAT = "neurosym-value-problem-1"
+Goal = float | tuple[float, float]
+"""What an axis shall become: a value, or the least and greatest of some."""
+Categorise = Callable[[Float[np.ndarray, "N F"]], Sequence[Symbol]]
+Cell = tuple[int, ...]
+"""The cell of a thing on each axis."""
+
+
+class Thing(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
+    """One thing: its features, what no feature shows of it, and its category in each state that it may be in.
+
+    States are in the order of `ValueDomain.states`.
+    """
+
+    name: str  #: What plans call it
+    features: tuple[Length, ...]  #: What it is like at the start
+    values: dict[str, Length] = {}  #: What it is at the start on axes that no feature shows; 0 if not said
+    categories: str = ""  #: Its object symbol in each state, with blanks between
+
+
+class ValueProblem(Versioned, frozen=True, omit_defaults=True):
+    """Things, and goals for some of their values."""
+
+    format: str  #: Version of its file
+    name: str  #: What the problem is called, a legal PDDL name
+    things: tuple[Thing, ...]  #: At least one
+    goals: dict[str, dict[str, Goal]]  #: What axes of things shall become, by thing and axis
+    provenance: str = "by hand"  #: How the problem came about
+    readable = (FORMAT,)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        names = [thing.name for thing in self.things]
+        check_names((self.name, *names))
+        if not names or len({*names}) < len(names):
+            raise InvalidValue("A problem needs one thing or more, each with a name of its own.")
+        if wrong := next((name for name in self.goals if name not in names), None):
+            raise InvalidValue(f"There is a goal for {wrong}, which is no thing; things: {', '.join(names)}.")
+        if not any(self.goals.values()):
+            raise InvalidValue(f"The problem {self.name} has no goal; say what some axis shall become.")
+
+    def save(self, path: Path) -> None:
+        """Write the problem to a file."""
+        write_json(as_path(path), self)
+
+    @classmethod
+    def read(cls, path: Path, domain: ValueDomain) -> "ValueProblem":
+        """Read a problem of a domain; `InvalidFile` if the file holds none."""
+        problem = read_json(as_path(path), cls)
+        try:
+            ValueTask(problem, domain)
+        except (InvalidValue, UnknownChoice) as error:
+            raise InvalidFile(path, str(error).rstrip(".")) from error
+        return problem
+
+
+def known_to(thing: Thing, domain: ValueDomain, categorise: Categorise) -> Thing:
+    """Return a thing with its category in each state that it may be in."""
+    counts = [cells.count for cells, by in zip(domain.cells, domain.shown, strict=True) if by is not None]
+    if prod(counts) > MOST_STATES:
+        raise InvalidValue(
+            f"A thing may be in {prod(counts):,} states, by the cells of its axes; valid: {MOST_STATES:,} "
+            "at most. Make some cells larger in world.toml."
+        )
+    states = [*domain.states()]
+    symbols = categorise(domain.features_at(thing.features, states).astype(np.float32))
+    return msgspec.structs.replace(thing, categories=" ".join(symbols))
+
+
+@dataclass(frozen=True, eq=False)
+class ValueTask:
+    """A problem and a learned domain, understood once: the one transition model of values.
+
+    Raises:
+        InvalidValue: If the problem cannot be one of the domain.
+        UnknownChoice: If there is a goal for an axis that there is not.
+    """
+
+    problem: ValueProblem
+    domain: ValueDomain
+
+    def __post_init__(self) -> None:
+        names = [axis.name for axis in self.domain.axes]
+        for thing in self.problem.things:
+            if len(thing.features) != len(self.domain.features):
+                valid = ", ".join(self.domain.features)
+                raise InvalidValue(f"{thing.name} has {len(thing.features)} features; valid: {valid}.")
+            hidden = [name for name, by in zip(names, self.domain.shown, strict=True) if by is None]
+            if wrong := next((name for name in thing.values if name not in hidden), None):
+                valid = ", ".join(hidden) or "none"
+                raise InvalidValue(
+                    f"{thing.name} has a value {wrong}; valid: axes that no feature shows: {valid}."
+                )
+            if len(self.categories(thing)) != len(self._places):
+                raise InvalidValue(
+                    f"{thing.name} has categories for {len(self.categories(thing))} states, and there are "
+                    f"{len(self._places)}; make the problem anew."
+                )
+        for goals in self.problem.goals.values():
+            if wrong := next((name for name in goals if name not in names), None):
+                raise UnknownChoice("axis", wrong, names)
+        _ = self.start, self.goals
+
+    @cached_property
+    def _places(self) -> Mapping[Cell, int]:
+        return {state: number for number, state in enumerate(self.domain.states())}
+
+    def categories(self, thing: Thing) -> Sequence[Symbol]:
+        """Return the category of a thing in each state, see `ValueDomain.states`."""
+        return thing.categories.split()
+
+    @cached_property
+    def _known(self) -> Mapping[str, Sequence[Symbol]]:
+        return {thing.name: self.categories(thing) for thing in self.problem.things}
+
+    @cached_property
+    def start(self) -> dict[str, Cell]:
+        """The cells of each thing at the start."""
+        return {thing.name: self.at(thing.features, thing.values) for thing in self.problem.things}
+
+    def at(self, features: Sequence[float], values: Mapping[str, float]) -> Cell:
+        """Return the cells of a thing; `InvalidValue` if it is out of bounds."""
+        shown = zip(self.domain.cells, self.domain.shown, strict=True)
+        return tuple(
+            cells.index(values.get(cells.axis.name, 0.0) if by is None else features[by])
+            for cells, by in shown
+        )
+
+    @cached_property
+    def goals(self) -> Mapping[tuple[str, str], tuple[int, ...]]:
+        """Which cells meet the goal of a thing on an axis."""
+        cells = {one.axis.name: one for one in self.domain.cells}
+        return {
+            (thing, axis): cells[axis].near(goal)
+            for thing, goals in sorted(self.problem.goals.items())
+            for axis, goal in goals.items()
+        }
+
+    def category(self, thing: str, state: Cell) -> Symbol:
+        """Return the category of a thing in a state."""
+        shown = tuple(one for one, by in zip(state, self.domain.shown, strict=True) if by is not None)
+        return self._known[thing][self._places[shown]]
+
+    def apply(self, state: Cell, operator: ValueOperator) -> Cell | None:
+        """Return where an operator leads from a state; None if that is out of bounds."""
+        led = [
+            cells.led(here, step)
+            for cells, here, step in zip(self.domain.cells, state, operator.outcome.steps, strict=True)
+        ]
+        return None if None in led else tuple(one for one in led if one is not None)
+
+    def refusal(self, thing: str, state: Cell, operator: ValueOperator) -> str:
+        """Say why an operator is not possible in a state, or nothing if it is."""
+        if (found := self.category(thing, state)) != operator.category:
+            return f"{operator.name} is for {operator.category}, and {thing} is of {found} there"
+        if self.apply(state, operator) is None:
+            return f"{operator.name} leads {thing} out of bounds"
+        return ""
+
+    def missed(self, states: Mapping[str, Cell]) -> Iterator[str]:
+        """Say which goals are not met."""
+        numbers = {axis.name: number for number, axis in enumerate(self.domain.axes)}
+        for (thing, axis), cells in self.goals.items():
+            number = numbers[axis]
+            if (here := states[thing][number]) not in cells:
+                value = self.domain.cells[number].centre(here)
+                yield f"{thing} ends with {axis} = {value:g}, not {self.problem.goals[thing][axis]}"
+
+    def replay(self, steps: Sequence[PlanStep]) -> tuple[dict[str, Cell], str]:
+        """Follow a plan; returned are the states in the end, and why it is no plan, if it is none."""
+        states = dict(self.start)
+        for number, step in enumerate(steps, start=1):
+            if step.object not in states:
+                return states, f"step {number}: there is no {step.object}"
+            operator = self.domain.operator_named(step.operator)
+            if said := self.refusal(step.object, states[step.object], operator):
+                return states, f"step {number}: {said}"
+            states[step.object] = self.apply(states[step.object], operator) or ()
+        return states, next(self.missed(states), "")
+
+    def chance(self, steps: Sequence[PlanStep]) -> float:
+        """Return the chance that all steps go as promised."""
+        return prod(self.domain.operator_named(step.operator).chance for step in steps)
+
+    def begun_from(self, things: Mapping[str, tuple[Sequence[float], Mapping[str, float]]]) -> "ValueTask":
+        """Return the task from where things are now: features, and what none shows."""
+        now = tuple(
+            msgspec.structs.replace(
+                one, features=tuple(things[one.name][0]), values=dict(things[one.name][1])
+            )
+            for one in self.problem.things
+        )
+        return ValueTask(msgspec.structs.replace(self.problem, things=now), self.domain)

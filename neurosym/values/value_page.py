@@ -1,0 +1,223 @@
+"""The page of a domain of values: one lifted domain of positive STRIPS, and its problems.
+
+`act` performs an operator on a thing that is of its category in the state it is in. Then each axis in turn
+moves by as many cells, or to the one, that the operator says. So nothing is grounded over all axes at once.
+"""
+
+import textwrap
+from collections.abc import Iterator, Sequence
+
+from neurosym.errors import InvalidValue
+from neurosym.pddl.strips import WIDTH
+from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Facts, PddlProblem, Predicate, Typed
+from neurosym.tasks.transition import PlanStep
+from neurosym.values.domain import Cells, ValueDomain
+from neurosym.values.problem import Cell, ValueTask
+
+
+def value_page(domain: ValueDomain) -> Domain:
+    """Return the page of a learned domain of values."""
+    axes = [axis.name for axis in domain.axes]
+    shown = [name for name, by in zip(axes, domain.shown, strict=True) if by is not None]
+    here: list[Typed] = [(f"?{name}", f"{name}-cell") for name in shown]
+    steps: list[Typed] = [(f"?{name}-step", f"{name}-step") for name in axes]
+    category: list[Typed] = [("?k", "category")]
+    kind: Atom = ("is-then", "?o", *(name for name, _ in here), "?k")
+    act = Action(
+        "act",
+        "perform an operator on ?o, which is of its category here",
+        (("?o", "thing"), ("?do", "operator"), *category, *here, *steps, ("?c", "price")),
+        (
+            ("ready",),
+            kind,
+            *((f"at-{name}", "?o", f"?{name}") for name in shown),
+            ("does", "?do", "?k", *(name for name, _ in steps), "?c"),
+        ),
+        tuple((f"due-{name}", "?o", f"?{name}-step") for name in axes),
+        (("ready",), *(("done-" + name, "?o") for name in axes)),
+        ("cost", "?c"),
+    )
+    return Domain(
+        name=domain.name,
+        head=tuple(_head(domain)),
+        types=(
+            *((one, OBJECT) for one in ("thing", "category", "operator", "price")),
+            *((f"{name}-{part}", OBJECT) for name in axes for part in ("cell", "step")),
+        ),
+        constants=(),
+        predicates=(
+            Predicate("ready", (), "no operator is under way"),
+            Predicate("is-then", (("?o", "thing"), *here, *category), "the category of ?o in that state"),
+            Predicate(
+                "does", (("?do", "operator"), *category, *steps, ("?c", "price")), "by how far, and its price"
+            ),
+            *(one for name in axes for one in _predicates(name)),
+        ),
+        costs=(Predicate("cost", (("?c", "price"),), ""),),
+        actions=(act, *(one for number in range(len(axes)) for one in _actions(axes, number))),
+    )
+
+
+def _head(domain: ValueDomain) -> Iterator[str]:
+    yield f"Learned domain {domain.name}. Printed by neurosym; do not edit."
+    rows = "rows of the data" if domain.measured == "data" else "rehearsals"
+    yield f"What goes as promised with chance p costs 1 + round(-100 ln p), by {rows}."
+    for cells in domain.cells:
+        yield f"{cells.axis.name} ({cells.axis.kind}): {cells}"
+    for category in domain.categories:
+        pairs = zip(domain.features, category.feature_means, strict=False)
+        means = ", ".join(f"{name} {mean:.3g}" for name, mean in pairs)
+        yield from textwrap.wrap(f"{category.name}: {means or 'never seen'}", WIDTH, break_on_hyphens=False)
+    for one in domain.operators:
+        told = ", ".join(
+            cells.step_name(step)
+            for cells, step in zip(domain.cells, one.outcome.steps, strict=True)
+            if not step.stays
+        )
+        yield f"{one.name}: {told}, {one.chance:.0%}"
+
+
+def _predicates(name: str) -> Iterator[Predicate]:
+    thing, cell, step = ("?o", "thing"), (f"?{name}", f"{name}-cell"), (f"?{name}-step", f"{name}-step")
+    yield Predicate(f"at-{name}", (thing, cell), f"the {name} of ?o is in that cell")
+    yield Predicate(f"due-{name}", (thing, step), "it is about to go so far")
+    yield Predicate(f"went-{name}", (thing,), "it went there already")
+    yield Predicate(f"{name}-leads", (step, cell, ("?to", cell[1])), "a step leads from one cell to another")
+    yield Predicate(f"goal-{name}", (thing, cell), "that cell meets its goal")
+    yield Predicate(f"done-{name}", (thing,), "it was noted to meet its goal")
+
+
+def _actions(axes: Sequence[str], number: int) -> Iterator[Action]:
+    """Return what moves a thing along an axis after those before it, and what notes its goal."""
+    name, first, last = axes[number], number == 0, number == len(axes) - 1
+    thing, cell, step = ("?o", "thing"), (f"?{name}", f"{name}-cell"), (f"?{name}-step", f"{name}-step")
+    before: tuple[Atom, ...] = () if first else ((f"went-{axes[number - 1]}", "?o"),)
+    due, here, there = (
+        (f"due-{name}", "?o", step[0]),
+        (f"at-{name}", "?o", cell[0]),
+        (f"at-{name}", "?o", "?to"),
+    )
+    then: Atom = ("ready",) if last else (f"went-{name}", "?o")
+    yield Action(
+        f"move-{name}",
+        f"{name} goes as far as it is due",
+        (thing, step, cell, ("?to", cell[1])),
+        (due, here, (f"{name}-leads", step[0], cell[0], "?to"), *before),
+        (there, then),
+        (due, here, *before),
+    )
+    yield Action(
+        f"reach-{name}",
+        f"note that {name} meets the goal of ?o",
+        (thing, cell),
+        (("ready",), here, (f"goal-{name}", "?o", cell[0])),
+        ((f"done-{name}", "?o"),),
+    )
+
+
+def value_problem(task: ValueTask) -> PddlProblem:
+    """Return the printed problem of a task."""
+    problem, domain = task.problem, task.domain
+    names = [axis.name for axis in domain.axes]
+    met = {thing.name: {task.category(thing.name, task.start[thing.name])} for thing in problem.things}
+    facts = [Facts("", (("ready",),))]
+    states = [*domain.states()]
+    shown = [cells for cells, by in zip(domain.cells, domain.shown, strict=True) if by is not None]
+    for thing in problem.things:
+        at = [
+            (f"at-{cells.axis.name}", thing.name, cells.name(here))
+            for cells, here in zip(domain.cells, task.start[thing.name], strict=True)
+        ]
+        facts.append(Facts(f"{thing.name} at the start", tuple(at)))
+        symbols = task.categories(thing)
+        met[thing.name] |= {*symbols}
+        kinds = [
+            ("is-then", thing.name, *_named(shown, state), domain.category(symbol).name)
+            for state, symbol in zip(states, symbols, strict=True)
+        ]
+        facts.append(Facts("its category in each state", tuple(kinds)))
+    every = {symbol for found in met.values() for symbol in found}
+    offered = [one for one in domain.operators if one.category in every]
+    does = [
+        (
+            *("does", one.name, domain.category(one.category).name),
+            *(cells.step_name(step) for cells, step in zip(domain.cells, one.outcome.steps, strict=True)),
+            f"cost{one.cost}",
+        )
+        for one in offered
+    ]
+    facts.append(Facts("what operators do", tuple(does)))
+    objects: list[Typed] = [(thing.name, "thing") for thing in problem.things]
+    objects += [(domain.category(symbol).name, "category") for symbol in sorted(every)]
+    objects += [(one.name, "operator") for one in offered]
+    for number, cells in enumerate(domain.cells):
+        steps = {cells.step_name(one.outcome.steps[number]): one.outcome.steps[number] for one in offered}
+        leads = [
+            (f"{names[number]}-leads", name, cells.name(here), cells.name(there))
+            for name, step in sorted(steps.items())
+            for here in range(cells.count)
+            if (there := cells.led(here, step)) is not None
+        ]
+        facts.append(Facts(f"where steps of {names[number]} lead", tuple(leads)))
+        objects += [(cells.name(n), f"{names[number]}-cell") for n in range(cells.count)]
+        objects += [(name, f"{names[number]}-step") for name in sorted(steps)]
+    cells_of = {cells.axis.name: cells for cells in domain.cells}
+    goals = [
+        (f"goal-{axis}", thing, cells_of[axis].name(n))
+        for (thing, axis), some in task.goals.items()
+        for n in some
+    ]
+    facts.append(Facts("what meets goals", tuple(goals)))
+    prices = sorted({one.cost for one in offered})
+    return PddlProblem(
+        name=problem.name,
+        domain=domain.name,
+        head=(
+            f"Problem {problem.name} of the learned domain {domain.name}.",
+            f"How it came about: {' '.join(problem.provenance.split())}.",
+        ),
+        objects=(*objects, *((f"cost{price}", "price") for price in prices)),
+        facts=tuple(facts),
+        costs={("cost", f"cost{price}"): price for price in prices},
+        goals=tuple((f"done-{axis}", thing) for thing, axis in task.goals),
+    )
+
+
+def _named(cells: Sequence[Cells], state: Cell) -> Iterator[str]:
+    return (one.name(here) for one, here in zip(cells, state, strict=True))
+
+
+def written(steps: Sequence[PlanStep], task: ValueTask) -> tuple[Atom, ...]:
+    """Write a plan as ground actions of the page; `InvalidValue` if it is none."""
+    domain, found, states = task.domain, list[Atom](), dict(task.start)
+    _, said = task.replay(steps)
+    if said:
+        raise InvalidValue(f"It is no plan: {said}.")
+    for step in steps:
+        operator, here = domain.operator_named(step.operator), states[step.object]
+        there = task.apply(here, operator) or ()
+        done = [cells.step_name(one) for cells, one in zip(domain.cells, operator.outcome.steps, strict=True)]
+        shown = [
+            c.name(h) for c, h, by in zip(domain.cells, here, domain.shown, strict=True) if by is not None
+        ]
+        kind = domain.category(operator.category).name
+        found.append(("act", step.object, operator.name, kind, *shown, *done, f"cost{operator.cost}"))
+        for cells, name, one, other in zip(domain.cells, done, here, there, strict=True):
+            found.append((f"move-{cells.axis.name}", step.object, name, cells.name(one), cells.name(other)))
+        states[step.object] = there
+    numbers = {axis.name: number for number, axis in enumerate(domain.axes)}
+    for thing, axis in task.goals:
+        here = states[thing]
+        found.append((f"reach-{axis}", thing, domain.cells[numbers[axis]].name(here[numbers[axis]])))
+    return tuple(found)
+
+
+def known_words(task: ValueTask) -> set[str]:
+    """Name the actions of the page, the operators and the things, by which a line is known for a step."""
+    names = {action.name for action in value_page(task.domain).actions}
+    return {*names, *(one.name for one in task.domain.operators), *task.start}
+
+
+def read_steps(actions: Sequence[Atom]) -> tuple[PlanStep, ...]:
+    """Read ground actions of the page as steps; what else they say, the replay knows."""
+    return tuple(PlanStep(words[2], words[1]) for words in actions if words[0] == "act" and len(words) > 2)

@@ -1,0 +1,167 @@
+"""What actions do to values is told from rows, in cells, and planned with as PDDL that others judge."""
+
+import numpy as np
+import pytest
+
+from neurosym.data.axes import Axis
+from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.operators import TABLE_FORMAT, Category, OperatorTable, Primitive
+from neurosym.planners.planner import PlanStatus
+from neurosym.planners.registry import planner_named
+from neurosym.planners.unified_planning import validate_pddl
+from neurosym.tasks.transition import PlanStep
+from neurosym.values.domain import Cells, Step, ValueDomain
+from neurosym.values.outcomes import compile_values
+from neurosym.values.problem import FORMAT, Thing, ValueProblem, ValueTask, known_to
+from neurosym.values.value_page import value_page, value_problem, written
+from neurosym.values.value_planning import plan_values
+
+NAMES = ("angle", "level", "open")
+TURN, LEVEL, OPEN = Axis("angle", "angle", period=12.0), Axis("level", unit="cm"), Axis("open", "flag")
+MOVES = ("turn", "climb", "open", "shut")
+
+
+def step(state: np.ndarray, move: int) -> np.ndarray:
+    """A dial that turns by an hour, and a level that climbs where it is open."""
+    angle, level, is_open = state
+    if move == 0:
+        angle = (angle + 1) % 12
+    elif move == 1:
+        level += 2.0 * is_open
+    else:
+        is_open = 1.0 * (move == 2)
+    return np.array([angle, level, is_open])
+
+
+def categorise(features: np.ndarray) -> tuple[str, ...]:
+    return tuple("1" if row[2] >= 0.5 else "0" for row in features)
+
+
+def moves_of(actions: np.ndarray) -> tuple[str, ...]:
+    return tuple(f"{number:02b}" for number in actions.argmax(axis=1))
+
+
+@pytest.fixture(scope="module")
+def domain() -> ValueDomain:
+    rng = np.random.default_rng(0)
+    states = np.stack(
+        [rng.integers(0, 12, 600), 2 * rng.integers(0, 6, 600), rng.integers(0, 2, 600)], axis=1
+    )
+    states = states.astype(float)
+    moves = rng.integers(0, 4, 600)
+    after = np.array([step(*pair) for pair in zip(states, moves, strict=True)])
+    effects = np.stack([
+        axis.difference(after[:, n], states[:, n]) for n, axis in enumerate((TURN, LEVEL, OPEN))
+    ], axis=1)  # fmt: skip
+    none = np.zeros(600, dtype=bool)
+    data = Interactions(
+        states.astype(np.float32), np.eye(4, dtype=np.float32)[moves], effects.astype(np.float32),
+        effects.astype(np.float32), none, none, none, np.zeros(600, dtype=np.float32),
+        {"feature_names": [*NAMES]},
+    )  # fmt: skip
+    table = OperatorTable(
+        tuple(Category(symbol, f"kind-{symbol}", 0.5, (), ()) for symbol in "01"),
+        tuple(Primitive(f"{n:02b}", tuple(np.eye(4)[n].tolist()), 0.0) for n in range(4)),
+        (), "data", TABLE_FORMAT,
+    )  # fmt: skip
+    return compile_values(
+        data, table, name="dial", object_symbols=categorise, action_symbols=moves_of,
+        axes=(TURN, LEVEL, OPEN),
+    )  # fmt: skip
+
+
+def task(domain: ValueDomain, start: tuple[float, ...], goals: dict) -> ValueTask:
+    thing = known_to(Thing("dial-1", start), domain, categorise)
+    return ValueTask(ValueProblem(FORMAT, "task", (thing,), {"dial-1": goals}), domain)
+
+
+def test_cells_and_bounds_are_measured(domain):
+    turn, level, is_open = domain.axes
+    assert (turn.cell, turn.period, turn.low) == (1.0, 12.0, None)
+    assert (level.cell, level.low, level.high) == (2.0, 0.0, 12.0)
+    assert is_open == OPEN
+    assert [str(cells) for cells in domain.cells] == ["0 to 11 by 1", "0 to 12 cm by 2", "no and yes"]
+
+
+def test_each_action_does_to_each_category_what_it_does(domain):
+    told = {one.name: one.outcome.steps for one in domain.operators}
+    stays = Step()
+    assert told == {
+        "raise-angle-00-kind-0": (Step(1), stays, stays),
+        "raise-angle-00-kind-1": (Step(1), stays, stays),
+        "raise-level-01-kind-1": (stays, Step(1), stays),
+        "set-open-yes-10-kind-0": (stays, stays, Step(to=1)),
+        "set-open-no-11-kind-1": (stays, stays, Step(to=0)),
+    } | {name: steps for name, steps in told.items() if name.startswith("set-open")}
+    assert all(one.chance > 0.9 for one in domain.operators)
+
+
+@pytest.mark.parametrize("planner", ["fast-downward", "bfs-operators"])
+def test_plans_are_valid_by_a_validator_that_is_not_ours(domain, planner):
+    asked = task(domain, (11.0, 4.0, 0.0), {"angle": 0.0, "level": (5.0, 7.0)})
+    result = plan_values(asked, planner_named(planner), time_limit=60)
+    assert result.status is PlanStatus.SOLVED
+    assert [one.operator.split("-")[1] for one in result.steps].count("open") == 1
+    assert asked.replay(result.steps)[1] == ""
+    actions = written(result.steps, asked)
+    texts = value_page(domain).text(), value_problem(asked).text()
+    assert validate_pddl(*texts, actions).valid
+    assert not validate_pddl(*texts, actions[1:]).valid
+
+
+def test_replay_says_what_is_wrong(domain):
+    asked = task(domain, (11.0, 4.0, 0.0), {"level": 6.0})
+    climb = PlanStep("raise-level-01-kind-1", "dial-1")
+    assert "is for 1, and dial-1 is of 0 there" in asked.replay([climb])[1]
+    assert "level = 4, not 6" in asked.replay([])[1]
+    full = task(domain, (0.0, 12.0, 1.0), {"level": 6.0})
+    assert "out of bounds" in full.replay([climb])[1]
+    assert plan_values(full, planner_named("fast-downward"), time_limit=60).status is PlanStatus.UNSOLVABLE
+    assert plan_values(full, planner_named("bfs-operators"), time_limit=60).status is PlanStatus.NOT_FOUND
+    with pytest.raises(InvalidValue, match="does not plan with values"):
+        plan_values(full, planner_named("counting"), time_limit=60)
+
+
+@pytest.mark.parametrize(
+    ("start", "goals", "said"),
+    [
+        ((0.0, 99.0, 0.0), {"level": 6.0}, "level = 99 lies out of bounds; valid: 0 to 12"),
+        ((0.0, 4.0, 0.0), {"level": 99.0}, "No cell of level meets the goal 99"),
+        ((0.0, 4.0), {"level": 6.0}, "dial-1 has 2 features"),
+    ],
+)
+def test_problems_that_cannot_be_are_refused(domain, start, goals, said):
+    thing = Thing("dial-1", start, categories="0 " * 168)
+    with pytest.raises(InvalidValue, match=said):
+        ValueTask(ValueProblem(FORMAT, "task", (thing,), {"dial-1": goals}), domain)
+    with pytest.raises(UnknownChoice, match="no axis 'weight'"):
+        task(domain, (0.0, 4.0, 0.0), {"weight": 1.0})
+    with pytest.raises(InvalidValue, match="is no thing"):
+        ValueProblem(FORMAT, "task", (thing,), {"dial-2": {"level": 6.0}})
+
+
+def test_outcomes_that_differ_are_operators_of_their_own():
+    rng = np.random.default_rng(1)
+    moved = np.where(rng.uniform(size=200) < 0.7, 1.0, 3.0) + rng.normal(0, 0.02, 200)
+    none = np.zeros(200, dtype=bool)
+    data = Interactions(
+        rng.uniform(size=(200, 1)).astype(np.float32), np.ones((200, 1), dtype=np.float32),
+        moved[:, None].astype(np.float32), moved[:, None].astype(np.float32), none, none, none,
+        np.zeros(200, dtype=np.float32),
+    )  # fmt: skip
+    table = OperatorTable(
+        (Category("0", "kind-0", 1.0, (), ()),), (Primitive("1", (1.0,), 0.0),), (), "data", TABLE_FORMAT
+    )
+    found = compile_values(
+        data, table, name="two-ways", object_symbols=lambda rows: ("0",) * len(rows),
+        action_symbols=lambda rows: ("1",) * len(rows), axes=(Axis("far", cell=0.5),),
+    )  # fmt: skip
+    assert [(one.name, one.outcome.steps[0].by) for one in found.operators] == [
+        ("raise-far-1-kind-0", 2),
+        ("raise-far-1-kind-0-or-a", 6),
+    ]
+    first, second = (one.outcome.share for one in found.operators)
+    assert first == pytest.approx(0.7, abs=0.08)
+    assert first + second == pytest.approx(1.0, abs=0.02)
+    assert Cells(found.axes[0]).count > 20
