@@ -1,6 +1,7 @@
 """Commands that run plans in the world: `execute`, `replay`, and `demo`, which compiles and plans before."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Optional
@@ -75,9 +76,15 @@ def execute(
     from neurosym.commands.tables import show_run
     from neurosym.stages.execution import execute_stage, load_run
     from neurosym.stages.plan_records import planned_tolerance, record_beside
+    from neurosym.stages.value_stages import is_of_values
 
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
+    if is_of_values(domain):
+        if gui or gif or strip or disturb is not None or tolerance is not None:
+            raise InvalidValue("Values have no pictures, nudges and --tolerance; leave these options out.")
+        plan_file = given_plan(domain, folder, name, plan_file, must_fit=False)
+        return _execute_values(domain, folder, name, plan_file, replanner, replans, time_limit, answer)
     plan_file = given_plan(domain, folder, name, plan_file)
     planned = planned_tolerance(plan_file)
     if planned is not None and tolerance is None:
@@ -108,6 +115,34 @@ def execute(
     _say_written(record, gif, strip)
     say_next(f"neurosym replay {quoted(folder)} {quoted(record)}")
     answer(run, file=str(record), outcome=run.outcome, credit=run.credit)
+    return 0 if run.reached else NO_RESULT
+
+
+def _execute_values(
+    domain: DomainFolder,
+    folder: Path,
+    name: str,
+    plan_file: Path,
+    replanner: str,
+    replans: int | None,
+    time_limit: float | None,
+    answer: Callable[..., None],
+) -> int:
+    """Run a plan in a world of values, and show what came of each step."""
+    from neurosym.commands.tables import show_value_run
+    from neurosym.files import read_json
+    from neurosym.stages.value_stages import domain_of, execute_values_stage
+    from neurosym.values.value_execution import ValueRun
+
+    stage = execute_values_stage(
+        domain, name, plan_file, replanner=replanner, replans=replans, time_limit=time_limit
+    )
+    domain.perform(stage, again=True)
+    record = stage.outputs[0]
+    run = read_json(domain / record, ValueRun)
+    show_value_run(run, domain_of(domain))
+    say(f"wrote {folder / record}")
+    answer(run, file=str(folder / record))
     return 0 if run.reached else NO_RESULT
 
 

@@ -21,7 +21,8 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.value_stages import domain_of
 from neurosym.stages.verdicts import Verdict, judge_training, judge_values
 from neurosym.tasks.transition import PlanStep, primitives
-from neurosym.values.domain import Cells
+from neurosym.values.domain import Cells, ValueDomain
+from neurosym.values.value_execution import ValueRun
 
 
 def show_training(path: Path, data: Path) -> None:
@@ -95,6 +96,22 @@ def show_values(folder: DomainFolder) -> None:
     ]
     show_table("operators, told from the data", ["operator", "as promised", "does"], rows)
     show_verdict(judge_values(domain))
+
+
+def show_value_run(run: ValueRun, domain: ValueDomain) -> None:
+    """Print for each step of a run with values what was promised and what happened."""
+    rows = [
+        [
+            f"{step.operator} {step.thing}",
+            *(f"{promised:g}: {came:g}" for promised, came in zip(step.promised, step.happened, strict=True)),
+            "yes" if step.as_promised else "no",
+        ]
+        for step in run.steps
+    ]
+    names = [f"{axis.name}, promised: happened" for axis in domain.axes]
+    show_table(f"{counted(len(run.steps), 'step')} of {run.problem}", ["step", *names, "as promised"], rows)
+    anew = f", with {counted(run.replans, 'new plan')}" if run.replans else ""
+    say(f"goal reached{anew}" if run.reached else f"goal missed{anew}: {run.reason}")
 
 
 def _near(cells: Cells) -> str:

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from contextlib import suppress
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,7 @@ from neurosym.data.axes import legal_name
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import is_explored
 from neurosym.errors import InvalidFile, InvalidPlan, InvalidValue, UnknownChoice
-from neurosym.files import make_folder, read_json, read_text, remove, write_atomically, write_json
+from neurosym.files import digest, make_folder, read_json, read_text, remove, write_atomically, write_json
 from neurosym.operators import OperatorTable
 from neurosym.pddl.plan_reading import MOST_PLAN, read_words
 from neurosym.planners.planner import PlanResult, PlanStatus
@@ -26,9 +27,14 @@ from neurosym.tasks.transition import named_steps
 from neurosym.values.domain import ValueDomain
 from neurosym.values.outcomes import compile_values
 from neurosym.values.problem import FORMAT, Goal, Thing, ValueProblem, ValueTask, known_to
+from neurosym.values.value_execution import execute_values
 from neurosym.values.value_page import known_words, read_steps, value_page, value_problem, written
 from neurosym.values.value_planning import Predict, plan_values
-from neurosym.worlds.world_file import has_world, read_axes
+from neurosym.worlds.state_world import HostedStates
+from neurosym.worlds.world_file import has_world, read_axes, read_stepper
+
+USUAL_REPLANS = 10
+"""How many new plans are made on the way, unless the user says otherwise."""
 
 
 def is_of_values(folder: DomainFolder) -> bool:
@@ -251,6 +257,57 @@ def _write_plan(folder: DomainFolder, task: ValueTask, planner: str, result: Pla
         **found,
     )
     write_json(folder / record_file, record)
+
+
+def execute_values_stage(
+    folder: DomainFolder,
+    name: str,
+    plan_file: Path,
+    *,
+    replanner: str,
+    replans: int | None = None,
+    time_limit: float | None = None,
+) -> Stage:
+    """Execute a plan in a world of values: problem, domain, world and a plan -> `runs/PROBLEM.PLAN.run.json`.
+
+    Args:
+        folder: The domain folder.
+        name: Name of the problem.
+        plan_file: The plan.
+        replanner: Whom to ask for new plans.
+        replans: How many may be asked for; `USUAL_REPLANS` if not given.
+        time_limit: The user's ceiling for each [s].
+
+    Raises:
+        InvalidFile: If `world.toml` names nothing that performs actions.
+    """
+    world, chosen = read_stepper(folder / layout.WORLD), planner_named(replanner, folder.path)
+    if world is None:
+        said = 'it names no world that could perform a plan; valid: world = "module:factory" beside its axes'
+        raise InvalidFile(folder / layout.WORLD, said)
+    limit = chosen.ceiling if time_limit is None else time_limit
+    many, record = USUAL_REPLANS if replans is None else replans, layout.run_file(name, plan_file)
+
+    def work() -> None:
+        task = task_of(folder, name)
+        steps = read_steps(read_words(read_text(plan_file, MOST_PLAN), plan_file, known_words(task)))
+        host = HostedStates(*world, folder.path)
+        try:
+            run = execute_values(
+                task,
+                steps,
+                host.step,
+                solve=partial(plan_values, planner=chosen, time_limit=limit) if many else None,
+                replans=many,
+            )
+        finally:
+            host.close()
+        make_folder(folder / layout.RUNS)
+        write_json(folder / record, run)
+
+    options: dict[str, Any] = {"replanner": replanner, "replans": replans, "plan": digest(plan_file)}
+    inputs = (layout.scene_file(name), layout.GROUNDING, layout.WORLD)
+    return Stage(f"execute {layout.run_name(name, plan_file)}", inputs, (record,), work, options)
 
 
 def judge_value_plan(folder: DomainFolder, name: str, plan_file: Path) -> PlanVerdict:

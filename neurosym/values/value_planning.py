@@ -56,10 +56,11 @@ def plan_values(
         return PlanResult(status, steps, time.perf_counter() - begin, reason, DEPTH)
     with scratch_folder() as folder:
         files = folder / "domain.pddl", folder / "problem.pddl"
-        texts = value_page(task.domain), value_problem(task)
-        for file, printed in zip(files, texts, strict=True):
+        costs = planner.program.costs
+        texts = value_page(task.domain).text(costs=costs), value_problem(task).text(costs=costs)
+        for file, text in zip(files, texts, strict=True):
             with naming(file):
-                file.write_text(printed.text(costs=planner.program.costs))
+                file.write_text(text)
         answer = planner.program.call(*files, time_limit=time_limit)
     seconds = time.perf_counter() - begin
     if answer.status is not PlanStatus.SOLVED:

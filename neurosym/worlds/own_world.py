@@ -192,7 +192,7 @@ def _is_plain(value: Any) -> bool:
 # The process that a world of somebody's own lives in, as we see it
 
 
-class _Apart(Child):
+class Apart(Child):
     """A process that calls functions for a world, so that ours can tell what they do."""
 
     def __init__(self, called: str):
@@ -214,7 +214,7 @@ class _Apart(Child):
             raise InvalidWorld(self._called, f"{error} {what}") from error
 
 
-class Hosted(_Apart):
+class Hosted(Apart):
     """A world that lives in another process; see `World`. `InvalidWorld` is raised if it cannot be made."""
 
     name: str
@@ -290,7 +290,7 @@ def describe_apart(name: str, folder: Path) -> dict[str, Any]:
     tell; what needs an option is not made.
     """
     search_here(folder)
-    process = _Apart(name)
+    process = Apart(name)
     try:
         options: dict[str, Any] = process.call("a first trial", _describe, name, folder)
     finally:

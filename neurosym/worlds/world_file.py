@@ -80,8 +80,8 @@ NONE = "none"
 
 
 def has_world(path: Path) -> bool:
-    """Say whether there is a `world.toml` that names a world."""
-    return path.is_file() and _read(path)[0] != NONE
+    """Say whether there is a `world.toml` that names a world with objects on a table."""
+    return path.is_file() and _read(path)[0] != NONE and not read_axes(path)
 
 
 def read_axes(path: Path) -> tuple[Axis, ...]:
@@ -90,12 +90,22 @@ def read_axes(path: Path) -> tuple[Axis, ...]:
     Raises:
         InvalidFile: If there can be no such axes.
     """
-    if not path.is_file() or _read(path)[0] != NONE:
+    if not path.is_file():
         return ()
+    _read(path)
     try:
         return axes_in(read_toml(path).get("axes", []))
     except InvalidValue as error:
         raise InvalidFile(path, str(error).rstrip(".")) from error
+
+
+def read_stepper(path: Path) -> tuple[str, dict[str, Any]] | None:
+    """Read from a `world.toml` with axes what performs actions, and its options; None if nothing does."""
+    if not read_axes(path):
+        return None
+    name, options = _read(path)
+    _check_finite(options)
+    return None if name == NONE else (name, options)
 
 
 def axes_text(axes: Sequence[Axis]) -> str:
@@ -137,8 +147,8 @@ def read_world(path: Path) -> "partial[World] | OwnFactory":
         InvalidFile: If the file is not TOML, or names an unknown world, option or value.
     """
     name, options = _read(path)
-    if name == NONE:
-        said = f'it says world = "{NONE}", so nothing can be performed; valid here: module:factory of a world'
+    if name == NONE or read_axes(path):
+        said = f'it says world = "{name}", and names axes, so it is no world with a table and an arm'
         raise InvalidFile(path, said)
     try:
         if is_factory(name):
@@ -179,7 +189,7 @@ def _read(path: Path) -> tuple[str, dict[str, Any]]:
     remedy = f"; mend it, or remove it, and `neurosym init {quoted(path.parent)}` writes a new one"
     document = read_toml(path, remedy)
     name, options = document.pop("world", None), document.pop("options", {})
-    if name == NONE:
+    if name == NONE or (isinstance(name, str) and is_factory(name)):
         document.pop("axes", None)
     if document or not isinstance(name, str) or not isinstance(options, dict):
         extra = f"; there is no place for {shortened(next(iter(document)))!r}" if document else ""

@@ -18,8 +18,8 @@ from neurosym.learning.network import DirectModel, EffectModel
 from neurosym.learning.training_config import DirectConfig, ModelConfig
 from neurosym.operators import OperatorTable
 
-(EXAMPLE,) = python_blocks("data.md")
-"""The script that the document shows."""
+EXAMPLE, ROOM = python_blocks("data.md")
+"""The script that the document shows, and the world of a room."""
 COMMANDS = re.findall(r"^\$ neurosym (.*)$", (DOCS / "data.md").read_text(), re.MULTILINE)
 """What the document types after `neurosym`."""
 OTHER_GRIPPER = EffectModel(Dimensions(7, 5, 2, (1,)), ModelConfig(hidden=8))

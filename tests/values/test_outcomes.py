@@ -1,5 +1,7 @@
 """What actions do to values is told from rows, in cells, and planned with as PDDL that others judge."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -14,6 +16,7 @@ from neurosym.tasks.transition import PlanStep
 from neurosym.values.domain import Cells, Step, ValueDomain
 from neurosym.values.outcomes import compile_values
 from neurosym.values.problem import FORMAT, Thing, ValueProblem, ValueTask, known_to
+from neurosym.values.value_execution import execute_values
 from neurosym.values.value_page import value_page, value_problem, written
 from neurosym.values.value_planning import plan_values
 
@@ -139,6 +142,42 @@ def test_problems_that_cannot_be_are_refused(domain, start, goals, said):
         task(domain, (0.0, 4.0, 0.0), {"weight": 1.0})
     with pytest.raises(InvalidValue, match="is no thing"):
         ValueProblem(FORMAT, "task", (thing,), {"dial-2": {"level": 6.0}})
+
+
+def jammed(failures: int):
+    """Make a world in which opening fails at first."""
+    left = [failures]
+
+    def perform(state: np.ndarray, action: np.ndarray) -> np.ndarray:
+        move = int(action.argmax())
+        if move == 2 and left[0]:
+            left[0] -= 1
+            return state
+        return step(state, move)
+
+    return perform
+
+
+@pytest.mark.parametrize(("failures", "replans", "reached"), [(0, 0, True), (1, 0, False), (1, 3, True)])
+def test_a_plan_is_performed_and_made_anew_where_it_fails(domain, failures, replans, reached):
+    asked = task(domain, (11.0, 4.0, 0.0), {"level": 6.0})
+    solve = partial(plan_values, planner=planner_named("bfs-operators"), time_limit=60)
+    run = execute_values(
+        asked, solve(asked).steps, jammed(failures), solve=solve if replans else None, replans=replans
+    )
+    assert (run.reached, run.replans) == (reached, min(failures, replans))
+    assert [one.as_promised for one in run.steps].count(False) == failures + (failures > replans)
+    if reached:
+        assert run.steps[-1].happened == (11.0, 6.0, 1.0)
+    else:
+        assert "not 6" in run.reason
+
+
+def test_a_thing_that_leaves_what_is_known_ends_a_run(domain):
+    asked = task(domain, (0.0, 4.0, 1.0), {"level": 6.0})
+    plan = plan_values(asked, planner_named("bfs-operators"), time_limit=60).steps
+    run = execute_values(asked, plan, lambda state, _: state + 1000)
+    assert "dial-1 came to where nothing is known: level = 1004 lies out of bounds" in run.reason
 
 
 def test_outcomes_that_differ_are_operators_of_their_own():

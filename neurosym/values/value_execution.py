@@ -1,0 +1,119 @@
+"""Performing plans with values: step by step, and with a new plan where things did not go as promised."""
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+
+import msgspec
+import numpy as np
+
+from neurosym.checks import Float
+from neurosym.errors import InvalidValue
+from neurosym.planners.planner import PlanResult
+from neurosym.tasks.transition import PlanStep
+from neurosym.values.problem import Thing, ValueTask
+
+FORMAT = "neurosym-value-run-1"
+LEARNED = 5
+"""A step that did not go as promised counts as so many trials that failed, when a new plan is made."""
+Perform = Callable[[Float[np.ndarray, "S"], Float[np.ndarray, "A"]], Float[np.ndarray, "S"]]
+"""What becomes of the state of a thing by an action; see `StateWorld`."""
+Solve = Callable[[ValueTask], PlanResult]
+
+
+class ValueStep(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What one step did: values along each axis as promised, and as they came."""
+
+    operator: str
+    thing: str
+    promised: tuple[float, ...]
+    happened: tuple[float, ...]
+    as_promised: bool  # whether each axis came within its tolerance
+
+
+class ValueRun(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """What became of a plan."""
+
+    format: str
+    problem: str
+    steps: tuple[ValueStep, ...]
+    reached: bool
+    reason: str  # why the goal was not reached; empty if it was
+    replans: int  # how many new plans were made
+
+
+def execute_values(
+    task: ValueTask,
+    steps: Sequence[PlanStep],
+    perform: Perform,
+    *,
+    solve: Solve | None = None,
+    replans: int = 0,
+) -> ValueRun:
+    """Perform a plan, and ask for a new one where what is left of it would miss the goal.
+
+    Args:
+        task: The task.
+        steps: The plan.
+        perform: Performs an action.
+        solve: Makes a new plan.
+        replans: How many new plans may be asked for.
+    """
+    now, left, done, asked = task, [*steps], list[ValueStep](), 0
+    failed = Counter[str]()
+    while True:
+        reason = _why_not(now, left)
+        if reason and solve and asked < replans:
+            asked += 1
+            result = solve(_doubting(now, failed))
+            left, reason = [*result.steps], "" if result.has_plan else result.reason
+        if not left or (reason and solve):
+            reason = reason or next(now.missed(now.start), "")
+            return ValueRun(FORMAT, task.problem.name, tuple(done), not reason, reason, asked)
+        step, *left = left
+        try:
+            told, now = _performed(now, step, perform)
+        except InvalidValue as error:
+            reason = f"{step.object} came to where nothing is known: {str(error).rstrip('.')}"
+            return ValueRun(FORMAT, task.problem.name, tuple(done), False, reason, asked)
+        done.append(told)
+        failed[step.operator] += not told.as_promised
+
+
+def _why_not(task: ValueTask, steps: Sequence[PlanStep]) -> str:
+    return task.replay(steps)[1]
+
+
+def _doubting(task: ValueTask, failed: Mapping[str, int]) -> ValueTask:
+    """Return the task with operators that failed believed less."""
+    operators = tuple(
+        msgspec.structs.replace(one, trials=one.trials + LEARNED * failed.get(one.name, 0))
+        for one in task.domain.operators
+    )
+    return ValueTask(task.problem, msgspec.structs.replace(task.domain, operators=operators))
+
+
+def _performed(task: ValueTask, step: PlanStep, perform: Perform) -> tuple[ValueStep, ValueTask]:
+    """Perform a step; return what came of it, and the task from there."""
+    domain, operator = task.domain, task.domain.operator_named(step.operator)
+    thing = next(one for one in task.problem.things if one.name == step.object)
+    hidden = [axis.name for axis, by in zip(domain.axes, domain.shown, strict=True) if by is None]
+    state = np.array([*thing.features, *(thing.values.get(name, 0.0) for name in hidden)], dtype=float)
+    after = perform(state, np.array(domain.primitive_of(operator).action, dtype=float)).tolist()
+    features = after[: len(thing.features)]
+    values = dict(zip(hidden, after[len(thing.features) :], strict=True))
+    promised, happened, is_near = list[float](), list[float](), True
+    for axis, by, one, cells in zip(
+        domain.axes, domain.shown, operator.outcome.steps, domain.cells, strict=True
+    ):
+        before = thing.values.get(axis.name, 0.0) if by is None else thing.features[by]
+        led = cells.centre(one.to) if one.to is not None else before + one.by * cells.size
+        came = values[axis.name] if by is None else features[by]
+        promised.append(round(led % axis.period if axis.period else led, 6))
+        happened.append(round(came, 6))
+        is_near = is_near and abs(axis.apart(came, led)) <= max(axis.tolerance or 0.0, cells.size / 2)
+    told = ValueStep(operator.name, thing.name, tuple(promised), tuple(happened), is_near)
+    return told, task.begun_from({**_now(task.problem.things), thing.name: (features, values)})
+
+
+def _now(things: Sequence[Thing]) -> dict[str, tuple[Sequence[float], Mapping[str, float]]]:
+    return {one.name: (one.features, one.values) for one in things}
