@@ -138,10 +138,11 @@ def show_data(interactions: Interactions, path: Path) -> None:
     """Print what a data set holds: its size, the range of each column, and how much happens in it."""
     origin, columns = interactions.origin, interactions.columns
     grippers, of_actions = origin.get("gripper_columns", ()), range(columns["actions"].shape[1])
+    plain = [f"gripper {n + 1}" if n in grippers else f"a{n + 1}" for n in of_actions]
     names = {
         "features": names_of_features(columns["features"].shape[1], origin.get("feature_names", ())),
-        "actions": [f"gripper {n + 1}" if n in grippers else f"a{n + 1}" for n in of_actions],
-        "effects": name_axes(columns["effects"].shape[1]),
+        "actions": origin.get("action_names", plain),
+        "effects": [one["name"] for one in origin.get("axes", ())] or name_axes(columns["effects"].shape[1]),
     }
     rows = []
     for array, named in names.items():

@@ -349,11 +349,11 @@ def warnings_about(columns: Columns, origin: Mapping[str, Any], given: tuple[str
     if columns["lost"].all():
         warnings.append("'lost' is true in every row, so that no effect counts as reached")
     greatest = float(np.abs(columns["effects"]).max())
-    if greatest <= TOLERANCE or greatest > _FAR * TOLERANCE:
+    if "axes" not in origin and not TOLERANCE < greatest <= _FAR * TOLERANCE:
         only, unit = ("only ", "smaller") if greatest <= TOLERANCE else ("", "larger")
         warnings.append(
-            f"effects reach {only}{greatest:g}, but every outcome counts as promised within {TOLERANCE:g} of "
-            f"the mean, in their unit; give them in a {unit} unit"
+            f"effects reach {only}{greatest:g}, but in a world every outcome counts as promised within "
+            f"{TOLERANCE:g} of the mean, in their unit; give them in a {unit} unit, or name axes"
         )
     read = (*_Read.__struct_fields__, "format")
     near = {name: get_close_matches(name, read, n=1, cutoff=0.8) for name in origin if name not in read}

@@ -42,7 +42,7 @@ def test_check_notes_what_may_not_be_meant(tmp_path, capsys):
         "'resting_effects'",
         "actions[:, 4] leaves the range from 0 (closed) to 1 (open)",
         "'lost' is true in every row",
-        "effects reach 100, but every outcome counts as promised within 0.05",
+        "effects reach 100, but in a world every outcome counts as promised within 0.05",
         "the entry 'feature_name' of the origin is not read, but 'feature_names' is",
     ):
         assert sum(said in note for note in notes) == 1
@@ -77,7 +77,7 @@ def test_what_is_too_small_to_tell_apart_is_pointed_out(tmp_path, capsys):
     write_data(tmp_path, columns, {"gripper_columns": [4]})
     assert neurosym("check", tmp_path) == 0
     said = capsys.readouterr().out
-    assert "note: effects reach only 0.0001, but every outcome counts" in said
+    assert "note: effects reach only 0.0001, but in a world every outcome counts" in said
     assert "the gripper value actions[:, 4] leaves the range from 0 (closed) to 1 (open), or never" in said
 
 

@@ -9,6 +9,7 @@ from neurosym.data.axes import Axis
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.operators import TABLE_FORMAT, Category, OperatorTable, Primitive
+from neurosym.pddl.syntax import Course
 from neurosym.planners.planner import PlanStatus
 from neurosym.planners.registry import planner_named
 from neurosym.planners.unified_planning import validate_pddl
@@ -142,6 +143,47 @@ def test_problems_that_cannot_be_are_refused(domain, start, goals, said):
         task(domain, (0.0, 4.0, 0.0), {"weight": 1.0})
     with pytest.raises(InvalidValue, match="is no thing"):
         ValueProblem(FORMAT, "task", (thing,), {"dial-2": {"level": 6.0}})
+
+
+def test_the_page_allows_what_the_replay_allows_and_leads_where_it_leads(domain):
+    rng = np.random.default_rng(3)
+    possible = [0, 0]
+    for _ in range(150):
+        start = float(rng.integers(0, 12)), 2.0 * rng.integers(0, 7), float(rng.integers(0, 2))
+        asked = task(domain, start, {"level": 6.0})
+        course = Course(value_page(domain), {*value_problem(asked).atoms})
+        here = asked.start["dial-1"]
+        for _ in range(4):
+            operator = domain.operators[int(rng.integers(len(domain.operators)))]
+            refused = asked.refusal("dial-1", here, operator)
+            possible[not refused] += 1
+            if refused:
+                with pytest.raises(InvalidValue):
+                    take(course, domain, here, operator)
+                break
+            take(course, domain, here, operator)
+            here = asked.apply(here, operator)
+            at = {
+                (f"at-{cells.axis.name}", "dial-1", cells.name(n))
+                for cells, n in zip(domain.cells, here, strict=True)
+            }
+            assert at <= course.holds
+    assert min(possible) > 50
+
+
+def take(course: Course, domain: ValueDomain, here: tuple, operator) -> None:
+    """Take the ground actions of an operator, wherever it leads."""
+    names = [cells.name(number) for cells, number in zip(domain.cells, here, strict=True)]
+    steps = [cells.step_name(one) for cells, one in zip(domain.cells, operator.outcome.steps, strict=True)]
+    kind = domain.category(operator.category).name
+    course.take("act", ["dial-1", operator.name, kind, *names, *steps, f"cost{operator.cost}"])
+    for cells, name, said, number, one in zip(
+        domain.cells, names, steps, here, operator.outcome.steps, strict=True
+    ):
+        there = cells.led(number, one)
+        course.take(
+            f"move-{cells.axis.name}", ["dial-1", said, name, cells.name(number if there is None else there)]
+        )
 
 
 def jammed(failures: int):
