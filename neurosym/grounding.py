@@ -59,6 +59,8 @@ FORMATS = tuple(f"neurosym-grounding-{number}" for number in range(1, 5))
 """Versions of groundings that can be read; the second knows operators with parameters of their own, the third
 what carries objects to places, the fourth what puts them in relations to one another."""
 FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS = FORMATS[1:]
+_VALUES = "neurosym-values-"
+"""What formats of domains begin with that are none of these; see `neurosym.values`."""
 _Size = Annotated[float, msgspec.Meta(ge=1e-6, le=1e3)]  # [m]
 _REMEMBERED = 8  # groundings of which what follows from them is kept: each object of a problem asks for it
 
@@ -85,6 +87,12 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True, ren
         if self.objects.axes != 3:
             axes = counted_axes(self.objects.axes)
             raise InvalidValue(f"The effects of a grounding have {axes}; valid: x, y and z.")
+
+    @classmethod
+    def _unreadable(cls, found: str | None) -> str:
+        if found and found.startswith(_VALUES):
+            return "it is of values, and this command needs positions: of objects on a table, in a world"
+        return super()._unreadable(found)
 
     def save(self, path: Path) -> None:
         """Write the grounding to a file, `grounding.json` by custom."""

@@ -22,12 +22,10 @@ from neurosym.commands.learn import (
     Strategy,
     make_domain_folder,
 )
-from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue, counted, quoted
 from neurosym.execution.record import Run
 from neurosym.files import read_json
 from neurosym.grounding import Grounding
-from neurosym.learning.training import TrainingReport
 from neurosym.learning.training_config import PLACE_BITS, regime_named
 from neurosym.stages import layout
 from neurosym.stages.console import say, say_next, show_table
@@ -38,7 +36,7 @@ from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.stages.rounds import Recipe, Round, Share, budget_of, explored_in, grow, perform, rounds
-from neurosym.stages.verdicts import Tries, judge_domain, judge_training, judge_tries, worst
+from neurosym.stages.verdicts import Tries, judge_domain, judge_tries, worst
 from neurosym.world import World, references_of
 from neurosym.worlds.world_file import read_world
 
@@ -177,7 +175,7 @@ def _try_problem(folder: DomainFolder, number: int, seed: int) -> tuple[list[str
 
 
 def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -> None:
-    """Say what became of the problems, and judge the whole way by what came out worst."""
+    """Say what became of the problems, and judge domain and tasks by what came out worse."""
     if tried:
         columns = ["problem", "objects", "plan", "primitives", "seconds", "goal", "why not"]
         title = f"{counted(len(tried), 'problem')} drawn from the world"
@@ -191,10 +189,8 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
     else:
         say(counted(total, "interaction"))
     say(f"everything lies in {folder.path}; {folder / layout.DOMAIN} is the domain")
-    report = read_json(folder / layout.TRAINING, TrainingReport)
-    learned = judge_training(report, Interactions.load(folder / layout.INTERACTIONS))
     runs = [run for _, run in tried if run]
     tries = Tries(sum(run.reached for run in runs), len(runs), len(tried))
     compiled = judge_domain(Grounding.load(folder / layout.GROUNDING))
-    for line in worst((learned, compiled, judge_tries({_PLANNER: tries}))).lines:
+    for line in worst((compiled, judge_tries({_PLANNER: tries}))).lines:
         say(line)

@@ -445,8 +445,8 @@ def validate(
     whether it leads to the goal by what was rehearsed, and whether objects end in each other: PDDL does not
     see that where objects are led over cells.
     """
-    from neurosym.stages.value_stages import is_of_values, judge_value_plan
-    from neurosym.stages.verdicts import judge_plan
+    from neurosym.stages.value_stages import is_of_values
+    from neurosym.stages.verdicts import judge_plan, judge_value_plan
 
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)

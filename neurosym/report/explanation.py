@@ -35,7 +35,8 @@ from neurosym.report import symbols
 from neurosym.report.symbols import AXES, EffectRow, Explanation, SymbolExplanation
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
-from neurosym.worlds.world_file import read_world
+from neurosym.stages.value_stages import is_of_values
+from neurosym.worlds.world_file import has_world, read_world
 
 
 def explain(
@@ -265,12 +266,13 @@ def explain_folder(domain: DomainFolder) -> Explanation:
     """
     path, remarks = domain.require(layout.PRIMITIVES), list[str]()
     table = OperatorTable.load(path)
-    world = read_world(domain / layout.WORLD)() if (domain / layout.WORLD).exists() else None
+    world = read_world(domain / layout.WORLD)() if has_world(domain / layout.WORLD) else None
     gripper = world.action_box.gripper.tolist() if world else ()
     names = world.feature_names if world else ()
     if world is None and (data := domain / layout.INTERACTIONS).is_file():
         names = tuple(Interactions.load(data).origin.get("feature_names", ()))  # of data of a user's own
-    grounding = Grounding.load(file) if (file := domain / layout.GROUNDING).exists() else None
+    is_known = (file := domain / layout.GROUNDING).exists() and not is_of_values(domain)
+    grounding = Grounding.load(file) if is_known else None
     is_other = grounding and grounding.objects not in (table, with_every_outcome(table))
     left_out = grounding.why_left_out if grounding and not is_other else None
     _check_table(path, table)

@@ -12,17 +12,15 @@ import numpy as np
 from neurosym.data.axes import legal_name
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import is_explored
-from neurosym.errors import InvalidFile, InvalidPlan, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import digest, make_folder, read_json, read_text, remove, write_atomically, write_json
 from neurosym.operators import OperatorTable
 from neurosym.pddl.plan_reading import MOST_PLAN, read_words
 from neurosym.planners.planner import PlanResult, PlanStatus
 from neurosym.planners.registry import planner_named
-from neurosym.planners.unified_planning import validate_pddl
 from neurosym.stages import layout
 from neurosym.stages.folder import Claim, DomainFolder, Stage
 from neurosym.stages.plan_records import PlanRecord
-from neurosym.stages.verdicts import PlanVerdict
 from neurosym.tasks.transition import named_steps
 from neurosym.values.domain import ValueDomain
 from neurosym.values.outcomes import compile_values
@@ -308,33 +306,3 @@ def execute_values_stage(
     options: dict[str, Any] = {"replanner": replanner, "replans": replans, "plan": digest(plan_file)}
     inputs = (layout.scene_file(name), layout.GROUNDING, layout.WORLD)
     return Stage(f"execute {layout.run_name(name, plan_file)}", inputs, (record,), work, options)
-
-
-def judge_value_plan(folder: DomainFolder, name: str, plan_file: Path) -> PlanVerdict:
-    """Say whether a plan is valid by the printed domain and by its replay.
-
-    Raises:
-        InvalidPlan: If the file cannot be read as a plan.
-    """
-    task = task_of(folder, name)
-    actions = read_words(read_text(plan_file, MOST_PLAN), plan_file, known_words(task))
-    steps = read_steps(actions)
-    try:
-        replay = task.replay(steps)[1]
-    except UnknownChoice as error:
-        raise InvalidPlan(plan_file, 1, str(error).rstrip(".")) from error
-    verdict = validate_pddl(value_page(task.domain).text(), value_problem(task).text(), actions)
-    return PlanVerdict(
-        problem=name,
-        plan=str(plan_file),
-        valid_by_pddl=verdict.valid,
-        valid_by_replay=not replay,
-        domain=layout.DOMAIN,
-        written_out=False,
-        pddl_reason=verdict.reason,
-        pddl_failed=verdict.failed,
-        replay_reason=replay,
-        replay_failed=None,
-        steps=named_steps(steps),
-        chance=None if replay else round(task.chance(steps), 4),
-    )

@@ -16,23 +16,25 @@ import numpy as np
 
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import is_explored
-from neurosym.errors import InvalidPlan, InvalidValue, counted, listed_briefly
+from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, counted, listed_briefly
 from neurosym.files import read_text
 from neurosym.grounding import Grounding
 from neurosym.learning.training import TrainingReport
 from neurosym.operators import MIN_TRIALS, TOLERANCE, Mode, Operator, OperatorTable
 from neurosym.pair_operators import RelationOperators
 from neurosym.pddl.compiler import Action, ground_plan, parameters_of, problem_text
-from neurosym.pddl.plan_reading import read_actions, read_plan
+from neurosym.pddl.plan_reading import MOST_PLAN, read_actions, read_plan, read_words
 from neurosym.pddl.syntax import ENCODINGS, NUMERIC, EncodingName
 from neurosym.planners.unified_planning import PddlVerdict, validate_pddl
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import DOMAIN_FILES, GROUNDING, printed_file
+from neurosym.stages.layout import DOMAIN, DOMAIN_FILES, GROUNDING, printed_file
 from neurosym.stages.planning import load_problem
+from neurosym.stages.value_stages import task_of
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, Steps, expected_success, named_steps, validate
 from neurosym.values.domain import ValueDomain, ValueOperator
+from neurosym.values.value_page import known_words, read_steps, value_page, value_problem
 
 _Level = Literal["useless", "weak", "good", "unproven"]
 LEVELS: tuple[_Level, ...] = ("useless", "weak", "good", "unproven")
@@ -383,6 +385,32 @@ def judge_plan(
         replay_failed=replay.number if replay else None,
         steps=named_steps(steps),
         chance=round(expected_success(steps, own.within(tolerance), grounding), 4) if replay else None,
+    )
+
+
+def judge_value_plan(folder: DomainFolder, name: str, plan_file: Path) -> PlanVerdict:
+    """Say whether a plan with values is valid; see `judge_plan`."""
+    task = task_of(folder, name)
+    actions = read_words(read_text(plan_file, MOST_PLAN), plan_file, known_words(task))
+    steps = read_steps(actions)
+    try:
+        replay = task.replay(steps)[1]
+    except UnknownChoice as error:
+        raise InvalidPlan(plan_file, 1, str(error).rstrip(".")) from error
+    verdict = validate_pddl(value_page(task.domain).text(), value_problem(task).text(), actions)
+    return PlanVerdict(
+        problem=name,
+        plan=str(plan_file),
+        valid_by_pddl=verdict.valid,
+        valid_by_replay=not replay,
+        domain=DOMAIN,
+        written_out=False,
+        pddl_reason=verdict.reason,
+        pddl_failed=verdict.failed,
+        replay_reason=replay,
+        replay_failed=None,
+        steps=named_steps(steps),
+        chance=None if replay else round(task.chance(steps), 4),
     )
 
 

@@ -90,6 +90,10 @@ def test_a_csv_of_a_room_becomes_a_plan_in_six_commands(tmp_path, monkeypatch, c
     assert "room.csv" not in refusal(
         capsys, "execute", "room", "task-01", "room/plans/task-01.fast-downward.plan"
     )
+    assert neurosym("explain", "room") == 0
+    for shown in (["show", "room", "--problem", "task-01"], ["report", "room"], ["compare", "room"]):
+        said = refusal(capsys, *shown)
+        assert "needs positions" in said or "no world with a table" in said, shown
     assert "exists already" in refusal(capsys, "init", "room", "--data", "room.csv")
     axes = Path("room/world.toml").read_text()
     Path("room/world.toml").write_text(axes.replace('"temperature"', '"temperature", cell = 2.0, unit = "C"'))
