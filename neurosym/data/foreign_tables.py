@@ -127,6 +127,13 @@ def _as_numbers(entries: Sequence[str]) -> np.ndarray:
         return np.array(words)
 
 
+def _is_number(word: str) -> bool:
+    try:
+        return isinstance(float(word), float)
+    except ValueError:
+        return False
+
+
 def _read_npy(path: Path) -> dict[str, np.ndarray]:
     """Read one array: its fields if it has names for them, else all of it as `table`."""
     try:
@@ -202,9 +209,10 @@ def _chosen(table: Table, mapping: Roles, wanted: Sequence[str]) -> _Chosen:
     for one in wanted:
         found = _column(table, one)
         if found.dtype.kind not in "fiub":
+            text = next((str(entry) for entry in found.flat if not _is_number(str(entry))), "")
             raise InvalidValue(
-                f"The column {shortened(one)} is text, as {shortened(str(found.flat[0]))!r}; valid: numbers, "
-                "or one of the choices"
+                f"The column {shortened(one)} is text, as {shortened(text)!r}; valid: numbers, or name it as "
+                "one of the choices"
             )
         part = _PART.fullmatch(one) if one not in table else None
         array = part["name"] if part else one

@@ -16,6 +16,7 @@ from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import digest, make_folder, read_json, read_text, remove, write_atomically, write_json
 from neurosym.operators import OperatorTable
 from neurosym.pddl.plan_reading import MOST_PLAN, read_words
+from neurosym.pddl.syntax import Atom
 from neurosym.planners.planner import PlanResult, PlanStatus
 from neurosym.planners.registry import planner_named
 from neurosym.stages import layout
@@ -191,6 +192,11 @@ def task_of(folder: DomainFolder, name: str) -> ValueTask:
     )
 
 
+def actions_of(task: ValueTask, plan_file: Path) -> tuple[Atom, ...]:
+    """Read the ground actions of any planner's plan; `InvalidPlan` if a line cannot be read."""
+    return read_words(read_text(plan_file, MOST_PLAN), plan_file, known_words(task))
+
+
 def plan_values_stage(
     folder: DomainFolder, name: str, *, planner: str, time_limit: float | None = None
 ) -> Stage:
@@ -288,7 +294,7 @@ def execute_values_stage(
 
     def work() -> None:
         task = task_of(folder, name)
-        steps = read_steps(read_words(read_text(plan_file, MOST_PLAN), plan_file, known_words(task)))
+        steps = read_steps(actions_of(task, plan_file))
         host = HostedStates(*world, folder.path)
         try:
             run = execute_values(

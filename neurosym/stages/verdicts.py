@@ -23,18 +23,18 @@ from neurosym.learning.training import TrainingReport
 from neurosym.operators import MIN_TRIALS, TOLERANCE, Mode, Operator, OperatorTable
 from neurosym.pair_operators import RelationOperators
 from neurosym.pddl.compiler import Action, ground_plan, parameters_of, problem_text
-from neurosym.pddl.plan_reading import MOST_PLAN, read_actions, read_plan, read_words
+from neurosym.pddl.plan_reading import read_actions, read_plan
 from neurosym.pddl.syntax import ENCODINGS, NUMERIC, EncodingName
 from neurosym.planners.unified_planning import PddlVerdict, validate_pddl
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import DOMAIN, DOMAIN_FILES, GROUNDING, printed_file
 from neurosym.stages.planning import load_problem
-from neurosym.stages.value_stages import task_of
+from neurosym.stages.value_stages import actions_of, task_of
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, Steps, expected_success, named_steps, validate
 from neurosym.values.domain import ValueDomain, ValueOperator
-from neurosym.values.value_page import known_words, read_steps, value_page, value_problem
+from neurosym.values.value_page import read_steps, value_page, value_problem
 
 _Level = Literal["useless", "weak", "good", "unproven"]
 LEVELS: tuple[_Level, ...] = ("useless", "weak", "good", "unproven")
@@ -94,15 +94,15 @@ def judge_training(report: TrainingReport, data: Interactions) -> Verdict:
 
     Args:
         report: What was measured after training.
-        data: What was learned from. If actions are aimed at something, effects are no displacements, and are
-            held to no tolerance.
+        data: What was learned from. If actions are aimed at something, or the data are a user's own, effects
+            are not known to be displacements, and are held to no tolerance.
     """
     r2, errors = report.r2_through_codes, report.mae.get(_MODEL, [])
     trivial = {name: sum(values) for name, values in report.mae.items() if name != _MODEL}
     best = min(trivial, key=lambda name: trivial[name], default="")
     gain = 1 - sum(errors) / trivial[best] if trivial.get(best) else 0.0
-    is_aimed = "reference" in data.origin or "axes" in data.origin  # each axis has a tolerance of its own
-    miss = 0.0 if is_aimed else max(errors, default=0.0)
+    is_aimed, is_ours = "reference" in data.origin, is_explored(data.origin)
+    miss = max(errors, default=0.0) if is_ours and not is_aimed else 0.0
     sentence = f"R2 {r2:.2f} through the bits, errors {abs(gain):.0%} {'below' if gain >= 0 else 'above'} "
     sentence += f"those of {best or 'nothing'}"
     if miss > TOLERANCE:
@@ -110,15 +110,17 @@ def judge_training(report: TrainingReport, data: Interactions) -> Verdict:
     if r2 >= GOOD_R2 and gain >= LEAST_GAIN and miss <= TOLERANCE:
         return Verdict("good", sentence)
     mirrors = "" if data.origin.get("mirrors") else ", or name mirrors, if all looks the same in some"
-    more, is_ours, empty = f"bring more{mirrors}", is_explored(data.origin), report.empty_action_codes
-    unit = "have goals met within a larger --tolerance" if is_ours else "give them in a larger unit"
+    more, empty = f"bring more{mirrors}", report.empty_action_codes
     bits = "take another --seed, as codes stay empty" if empty else "use more --action-bits, --object-bits"
     without = f"a network without bits (R2 {report.r2_direct:.2f})"
     remedy = _first(
         (len(data) < FEW_ROWS, f"there are only {counted(len(data), 'interaction')}; {more}"),
         (report.r2_direct < GOOD_R2, f"{without} does hardly better; bring {_DECISIVE}, or {more}"),
         (r2 < MOST * report.r2_direct, f"bits lose most of {without}; {more if is_aimed else bits}"),
-        (miss > TOLERANCE, f"{TOLERANCE:g} is too strict for effects so large; {unit}"),
+        (
+            miss > TOLERANCE,
+            f"{TOLERANCE:g} is too strict for effects so large; have goals met within a larger --tolerance",
+        ),
         (True, f"little happens, or it scatters; {more}"),
     )
     return Verdict("useless" if r2 < USELESS_R2 else "weak", sentence, remedy)
@@ -391,7 +393,7 @@ def judge_plan(
 def judge_value_plan(folder: DomainFolder, name: str, plan_file: Path) -> PlanVerdict:
     """Say whether a plan with values is valid; see `judge_plan`."""
     task = task_of(folder, name)
-    actions = read_words(read_text(plan_file, MOST_PLAN), plan_file, known_words(task))
+    actions = actions_of(task, plan_file)
     steps = read_steps(actions)
     try:
         replay = task.replay(steps)[1]
