@@ -284,8 +284,8 @@ def _marked(column: np.ndarray, name: str) -> tuple[list[str], np.ndarray]:
     if column.shape[1] != 1:
         raise InvalidValue(f"{name} has {column.shape[1]} columns; valid: one that holds what was chosen")
     choices, rows = np.unique(column[:, 0], return_inverse=True)
-    if not 2 <= len(choices) <= _MOST_CHOICES:
-        raise InvalidValue(f"{name} holds {len(choices)} choices; valid: 2 to {_MOST_CHOICES}")
+    if len(choices) > _MOST_CHOICES:
+        raise InvalidValue(f"{name} holds {len(choices)} choices; valid: at most {_MOST_CHOICES}")
     plain = name.removeprefix("choice.")
     said = [
         f"{plain}={choice:g}" if choice.dtype.kind in "fiub" else f"{plain}={choice}" for choice in choices

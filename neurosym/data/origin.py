@@ -306,7 +306,8 @@ def training_problems(columns: Columns, origin: Mapping[str, Any]) -> list[str]:
     if rows < 2 or is_explored(origin):
         return problems
     for name in ("features", "actions"):
-        if name in usable:
+        is_one = name == "actions" and name in usable and len(np.unique(usable[name], axis=0)) == 1
+        if name in usable and not is_one:  # with one action alone, the symbols of objects are learned
             problems += [
                 f"{_column_name(name, number, origin)} is {usable[name][0, number]:g} in every row, so that "
                 "nothing can be learned from it; leave the column out, or let it vary"

@@ -131,7 +131,7 @@ def _costs(
         mean = table[:, codes == code].mean(1)  # (R, E)
         costs += shares[code] * ((mean[:, None] - effects[:, code]) ** 2).sum(2)
     costs -= costs.min(1, keepdims=True)
-    return torch.from_numpy(costs / costs.mean()).float()
+    return torch.from_numpy(costs / (costs.mean() or 1.0)).float()
 
 
 def _some_of_each(labels: Int[np.ndarray, "C"], count: int, rng: np.random.Generator) -> Int[np.ndarray, "S"]:

@@ -106,7 +106,7 @@ def test_tables_that_cannot_be_are_refused(tmp_path):
         ("names.csv", "mass,a,x", words, "feature.mass, action.speed"),
         ("short.csv", "feature.mass,action.a,effect.x", [(1, 2)], "row 2 has 2 entries"),
         ("twice.csv", "feature.mass,feature.mass,effect.x", words, "no header of different names"),
-        ("one.csv", "feature.mass,choice.a,effect.x", [(1, 2, 3)] * ROWS, "holds 1 choices"),
+        ("many.csv", "feature.mass,choice.a,effect.x", [(1, n, 3) for n in range(65)], "holds 65 choices"),
         ("table.xls", "", [], "none of the tables"),
     ):
         with pytest.raises(InvalidFile, match=said):

@@ -118,6 +118,21 @@ def test_own_data_along_three_axes_lack_nothing_but_a_world(folder, capsys):
         assert said in (folder / name).read_text()
 
 
+def test_one_action_alone_is_enough_for_symbols_of_objects(tmp_path, capsys):
+    rng = np.random.default_rng(0)
+    lines = ["feature.mass,feature.size,choice.push,effect.x"]
+    for mass, size in rng.uniform(0, 2, (300, 2)):
+        lines.append(f"{mass},{size},push,{(1.0 if mass < 1 else 0.2) + rng.normal(0, 0.02)}")
+    (tmp_path / "one.csv").write_text("\n".join(lines))
+    folder = tmp_path / "one"
+    assert neurosym("init", folder, "--data", tmp_path / "one.csv") == 0
+    assert neurosym("train", folder, "--regime", "quick", "--action-bits", 1) == 0
+    assert neurosym("distill", folder) == 0
+    capsys.readouterr()
+    assert neurosym("compile-domain", folder) == 0
+    assert "x-by-4" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("command", ["explore", "run"])
 def test_exploration_does_not_replace_data_of_ones_own(command, discs, capsys):
     (discs / "world.toml").write_text('world = "toy"\n')
