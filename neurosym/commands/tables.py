@@ -82,18 +82,7 @@ def show_values(folder: DomainFolder) -> None:
     domain = domain_of(folder)
     axes = [[cells.axis.name, cells.axis.kind, str(cells), _near(cells)] for cells in domain.cells]
     show_table("axes; world.toml says otherwise", ["axis", "kind", "cells", "as promised within"], axes)
-    rows = [
-        [
-            one.name,
-            f"{one.outcome.count} of {one.trials}",
-            ", ".join(
-                cells.step_name(step)
-                for cells, step in zip(domain.cells, one.outcome.steps, strict=True)
-                if not step.stays
-            ),
-        ]
-        for one in domain.operators
-    ]
+    rows = [[one.name, f"{one.outcome.count} of {one.trials}", domain.told(one)] for one in domain.operators]
     show_table("operators, told from the data", ["operator", "as promised", "does"], rows)
     show_verdict(judge_values(domain))
 

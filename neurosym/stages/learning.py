@@ -369,9 +369,8 @@ def distill_stage(
     options |= {} if budget == BUDGET else {"budget": budget}
     options |= held.options
     options |= {} if aim.folder else {"choice": choice}
-    world = (
-        () if read_axes(folder / layout.WORLD) else (layout.WORLD,)
-    )  # which axes there are decides nothing
+    # which axes a user names decides nothing here
+    world = () if read_axes(folder / layout.WORLD) else (layout.WORLD,)
     inputs = tuple(dict.fromkeys((*world, aim.categories, of_model, of_network, data, *besides)))
     return Stage(aim.stage("distill"), inputs, (aim.table,), work, options, Claim.ALONE)
 

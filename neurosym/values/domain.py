@@ -28,8 +28,6 @@ from neurosym.operators import (
 FORMAT = "neurosym-values-1"
 MOST_STATES = 20_000
 """So many states a thing may be in at most, counted by the axes that features show."""
-MOST_OUTCOMES = 4
-"""So many outcomes of one action on one category are told apart at most."""
 
 
 class Step(Document, frozen=True, omit_defaults=True):
@@ -130,8 +128,6 @@ class Outcome(Document, frozen=True):
     """One way that an action turns out on a category."""
 
     steps: tuple[Step, ...]  # what it does along each axis, in cells
-    mean: tuple[float, ...]  # the mean change along each axis; of what is set, what it is set to
-    spread: tuple[float, ...]  # the standard deviation of that
     count: Count  # how many trials ended so
     share: Share  # the same as a share of all trials
 
@@ -172,8 +168,6 @@ class ValueDomain(Versioned, frozen=True, omit_defaults=True):
     categories: tuple[Category, ...]  #: In the order of their symbols
     primitives: tuple[Primitive, ...]  #: Parameters of the action symbols
     operators: tuple[ValueOperator, ...]  #: All that was seen often enough, by name
-    measured: str = "data"  #: By what outcomes were measured: rows of the data, or rehearsals
-    actions: tuple[str, ...] = ()  #: Names of the parameters of actions, if they have names
     readable = (FORMAT,)
 
     @property
@@ -185,6 +179,16 @@ class ValueDomain(Versioned, frozen=True, omit_defaults=True):
     def shown(self) -> tuple[int | None, ...]:
         """Which feature shows each axis; None where none does."""
         return shown_by(self.axes, self.features)
+
+    @property
+    def shown_cells(self) -> tuple[Cells, ...]:
+        """The cells of the axes that features show, which a state of a thing is made of."""
+        return tuple(cells for cells, by in zip(self.cells, self.shown, strict=True) if by is not None)
+
+    def told(self, operator: ValueOperator) -> str:
+        """Say what an operator does, like `speed-by-2, to-open-yes`."""
+        pairs = zip(self.cells, operator.outcome.steps, strict=True)
+        return ", ".join(cells.step_name(step) for cells, step in pairs if not step.stays)
 
     def operator_named(self, name: str) -> ValueOperator:
         """Return the operator of that name; `UnknownChoice` if there is none."""
@@ -204,13 +208,7 @@ class ValueDomain(Versioned, frozen=True, omit_defaults=True):
 
     def states(self) -> Iterator[tuple[int, ...]]:
         """List the cells that shown axes can have together, the last one running first."""
-        yield from product(
-            *(
-                range(Cells(axis).count)
-                for axis, by in zip(self.axes, self.shown, strict=True)
-                if by is not None
-            )
-        )
+        yield from product(*(range(cells.count) for cells in self.shown_cells))
 
     def features_at(
         self, features: Sequence[float], states: Sequence[Sequence[int]]

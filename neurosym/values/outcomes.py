@@ -88,7 +88,6 @@ def compile_values(
         categories=table.categories,
         primitives=table.primitives,
         operators=tuple(sorted(operators, key=lambda one: one.name)),
-        actions=tuple(origin.get("action_names", ())),
     )
 
 
@@ -144,7 +143,7 @@ def _commonest(rows: Rows, axes: Sequence[Axis], total: int) -> tuple[Bool[np.nd
             off = axis.difference(values[None, :], values[: len(near), None])
             near &= np.abs(off) <= (axis.tolerance or 0.0)
     members = near[near.sum(axis=1).argmax()]
-    steps, means, spreads = list[Step](), list[float](), list[float]()
+    steps = list[Step]()
     for number, axis in enumerate(axes):
         values, cells = rows.effects[:, number], Cells(axis)
         if axis.is_set:
@@ -155,8 +154,6 @@ def _commonest(rows: Rows, axes: Sequence[Axis], total: int) -> tuple[Bool[np.nd
             is_still = stays[members].sum() >= is_to[members].sum()
             members = members & (stays if is_still else is_to)
             steps.append(Step() if is_still else Step(to=to))
-            means.append(0.0 if is_still else cells.centre(to))
-            spreads.append(0.0)
         else:
             around = float(values[members][0])
             off = axis.difference(values, np.full(len(values), around))
@@ -165,11 +162,8 @@ def _commonest(rows: Rows, axes: Sequence[Axis], total: int) -> tuple[Bool[np.nd
                 np.abs(axis.difference(values, np.full(len(values), mean))) <= (axis.tolerance or 0.0)
             )
             steps.append(Step(cells.shift(mean)))
-            means.append(mean)
-            spreads.append(float(off[members].std()) if members.any() else 0.0)
     count = int(members.sum())
-    kept = tuple(round(one, 6) + 0.0 for one in means), tuple(round(one, 6) + 0.0 for one in spreads)
-    return members, Outcome(tuple(steps), *kept, count, count / total)
+    return members, Outcome(tuple(steps), count, count / total)
 
 
 def is_worth(outcome: Outcome, trials: int) -> bool:

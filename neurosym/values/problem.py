@@ -1,6 +1,6 @@
 """Problems of values: things with features, and what some of their values shall become."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import prod
@@ -9,10 +9,10 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
-from neurosym.checks import Float, as_path
+from neurosym.checks import as_path
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import read_json, write_json
-from neurosym.operators import Length, Symbol, Versioned
+from neurosym.operators import Categorise, Length, Symbol, Versioned
 from neurosym.problems import check_names
 from neurosym.tasks.transition import PlanStep
 from neurosym.values.domain import MOST_STATES, ValueDomain, ValueOperator
@@ -20,7 +20,6 @@ from neurosym.values.domain import MOST_STATES, ValueDomain, ValueOperator
 FORMAT = "neurosym-value-problem-1"
 Goal = float | tuple[float, float]
 """What an axis shall become: a value, or the least and greatest of some."""
-Categorise = Callable[[Float[np.ndarray, "N F"]], Sequence[Symbol]]
 Cell = tuple[int, ...]
 """The cell of a thing on each axis."""
 
@@ -75,7 +74,7 @@ class ValueProblem(Versioned, frozen=True, omit_defaults=True):
 
 def known_to(thing: Thing, domain: ValueDomain, categorise: Categorise) -> Thing:
     """Return a thing with its category in each state that it may be in."""
-    counts = [cells.count for cells, by in zip(domain.cells, domain.shown, strict=True) if by is not None]
+    counts = [cells.count for cells in domain.shown_cells]
     if prod(counts) > MOST_STATES:
         raise InvalidValue(
             f"A thing may be in {prod(counts):,} states, by the cells of its axes; valid: {MOST_STATES:,} "

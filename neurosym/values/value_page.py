@@ -60,8 +60,7 @@ def value_page(domain: ValueDomain) -> Domain:
 
 def _head(domain: ValueDomain) -> Iterator[str]:
     yield f"Learned domain {domain.name}. Printed by neurosym; do not edit."
-    rows = "rows of the data" if domain.measured == "data" else "rehearsals"
-    yield f"What goes as promised with chance p costs 1 + round(-100 ln p), by {rows}."
+    yield "What goes as promised with chance p costs 1 + round(-100 ln p), by rows of the data."
     for cells in domain.cells:
         yield f"{cells.axis.name} ({cells.axis.kind}): {cells}"
     for category in domain.categories:
@@ -69,12 +68,7 @@ def _head(domain: ValueDomain) -> Iterator[str]:
         means = ", ".join(f"{name} {mean:.3g}" for name, mean in pairs)
         yield from textwrap.wrap(f"{category.name}: {means or 'never seen'}", WIDTH, break_on_hyphens=False)
     for one in domain.operators:
-        told = ", ".join(
-            cells.step_name(step)
-            for cells, step in zip(domain.cells, one.outcome.steps, strict=True)
-            if not step.stays
-        )
-        yield f"{one.name}: {told}, {one.chance:.0%}"
+        yield f"{one.name}: {domain.told(one)}, {one.chance:.0%}"
 
 
 def _predicates(name: str) -> Iterator[Predicate]:
@@ -122,7 +116,7 @@ def value_problem(task: ValueTask) -> PddlProblem:
     met = {thing.name: {task.category(thing.name, task.start[thing.name])} for thing in problem.things}
     facts = [Facts("", (("ready",),))]
     states = [*domain.states()]
-    shown = [cells for cells, by in zip(domain.cells, domain.shown, strict=True) if by is not None]
+    shown = domain.shown_cells
     for thing in problem.things:
         at = [
             (f"at-{cells.axis.name}", thing.name, cells.name(here))
