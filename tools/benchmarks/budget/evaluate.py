@@ -146,7 +146,11 @@ def _time(work: Path, name: str) -> dict[str, float]:
 
 
 def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
-    """Go on with a run until so many interactions, and keep what it takes to try it; say what that took."""
+    """Go on with a run until so many interactions, and keep what it takes to try it; say what that took.
+
+    Where its folder is gone, as on another machine, the run is made anew from its first checkpoint, to the
+    same bytes.
+    """
     begin, known = cpu_seconds(), WAYS[way]
     folder = work / f"{way}-{seed}-{'little' if total < _LITTLE else 'run'}"
     chosen: dict[str, Any] = {"seed": seed, "workers": 1, "problems": 0, "places": 0, **known.options}
@@ -154,8 +158,11 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
         shutil.rmtree(folder, ignore_errors=True)
         _learn_in_stages(folder, seed, total)
     else:
+        before = [point for point in sorted(known.points) if _LITTLE <= point < total]
         with left_out(known.without):
-            run(folder, interactions=total, **chosen)
+            for point in [*(before if not folder.exists() else ()), total]:
+                begin = cpu_seconds()
+                run(folder, interactions=point, **chosen)
     copy = work / domain_name(way, seed, total)
     for name in (*KEPT, *_OF_PAIRS):
         if (folder / name).exists():
