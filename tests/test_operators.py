@@ -5,10 +5,12 @@ import numpy as np
 import pytest
 from tables import table
 
+from neurosym.data.category_names import name_categories, traits_of
 from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.files import write_json
 from neurosym.grounding import Grounding
 from neurosym.operators import (
+    Category,
     Mode,
     Operator,
     OperatorTable,
@@ -19,7 +21,6 @@ from neurosym.operators import (
     verb,
 )
 from neurosym.pddl import compile_domain
-from neurosym.primitives.rehearsal import name_categories
 from neurosym.world import Table
 
 
@@ -109,11 +110,33 @@ def test_an_operator_is_named_by_its_promise_not_its_accidents():
 
 
 def test_categories_are_named_by_what_sets_them_apart():
-    means = np.array([[0.1, 0.1, 0.04, 1.0], [0.1, 0.1, 0.08, 0.0], [0.04, 0.04, 0.06, 0.5]])
-    assert name_categories(["00", "01", "11"], means, NAMES) == (
+    rows = [
+        [[0.1, 0.1, 0.04, 0.5]],
+        [[0.1, 0.1, 0.08, 0.0]],
+        [[0.04, 0.04, 0.06, 1.0], [0.04, 0.04, 0.06, 0.0]],
+    ]
+    members = [*map(np.array, rows)]
+    assert name_categories(["00", "01", "11"], members, NAMES) == (
         "hollow-low-wide-00",
         "solid-tall-wide-01",
         "any-narrow-11",
     )
-    assert name_categories(["0"], means[:1], NAMES) == ("hollow-0",)
-    assert name_categories(["0", "1"], np.array([[1.0], [2.0]]), ["mass"]) == ("kind-0", "kind-1")
+    assert name_categories(["0"], members[:1], NAMES) == ("hollow-0",)
+
+
+def test_categories_of_a_users_own_are_named_by_the_names_of_features():
+    rng = np.random.default_rng(0)
+    hue = rng.uniform(size=50)
+    members = [
+        np.stack([rng.normal(mass, 0.1, 50), np.full(50, red), hue], axis=1)
+        for red, mass in ((0, 1), (0, 5), (1, 1), (1, 5))
+    ]
+    names = name_categories(["00", "01", "10", "11"], members, ["mass", "red", "hue"])
+    assert names == ("no-red-light-00", "no-red-heavy-01", "red-light-10", "red-heavy-11")
+    assert name_categories(["0", "1"], members[:1] * 2, ["mass", "red", "hue"]) == ("kind-0", "kind-1")
+    seen = [
+        Category(symbol, name, 0.25, tuple(rows.mean(0)), tuple(rows.std(0)))
+        for symbol, name, rows in zip(["00", "01", "10", "11"], names, members, strict=True)
+    ]
+    told = traits_of([*seen, Category("111", "unseen-111", 0.0, (), ())], ["mass", "red", "hue"])
+    assert [*map(str, told["11"])] == ["red over 0.5", "mass over 3.66"]

@@ -17,6 +17,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.contract import made
+from neurosym.data.category_names import name_categories
 from neurosym.operators import (
     Categorise,
     Category,
@@ -37,13 +38,7 @@ from neurosym.pair_operators import (
 )
 from neurosym.primitives.audition import moved
 from neurosym.primitives.bandit import LEAST_GAIN, Contest, hold
-from neurosym.primitives.rehearsal import (
-    Rehearsals,
-    means_for_naming,
-    name_categories,
-    rehearsal_sample,
-    rounded,
-)
+from neurosym.primitives.rehearsal import Rehearsals, rehearsal_sample, rounded
 from neurosym.primitives.reliability import Judgement, end_state, sureness, watch
 from neurosym.primitives.sampling import (
     Repertoire,
@@ -274,10 +269,10 @@ def _kinds(rehearsals: Rehearsals, feature_names: Sequence[str]) -> tuple[Catego
     """Describe the kinds of pairs; their names say what the target and the reference mostly are."""
     symbols = sorted(set(rehearsals.symbols.tolist()))
     members = [rehearsals.features[rehearsals.symbols == symbol] for symbol in symbols]
-    means = np.array([means_for_naming(rows, [*feature_names] * 2) for rows in members])
+    width = len(feature_names)
     halves = [
-        name_categories(symbols, half, feature_names)
-        for half in np.split(means, [len(feature_names)], axis=1)
+        name_categories(symbols, [rows[:, part] for rows in members], feature_names)
+        for part in (slice(width), slice(width, None))
     ]
     return tuple(
         Category(

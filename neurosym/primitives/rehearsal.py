@@ -24,6 +24,7 @@ from neurosym.checks import (
     check_whole,
 )
 from neurosym.contract import made
+from neurosym.data.category_names import name_categories
 from neurosym.errors import InvalidValue, Progress, part
 from neurosym.operators import (
     TABLE_FORMAT,
@@ -299,7 +300,6 @@ def describe_categories(
     """
     present = sorted(set(symbols.tolist()))
     members = [features[symbols == symbol] for symbol in present]
-    means = np.array([means_for_naming(rows, feature_names) for rows in members])
     seen = {
         symbol: Category(
             symbol=symbol,
@@ -310,18 +310,13 @@ def describe_categories(
             objects=() if shares is None else tuple(map(rounded, rows)),
         )
         for symbol, name, rows in zip(
-            present, name_categories(present, means, feature_names), members, strict=True
+            present, name_categories(present, members, feature_names), members, strict=True
         )
     }
     return tuple(
         seen.get(symbol) or Category(symbol, f"unseen-{symbol}", 0.0, (), ())
         for symbol in all_symbols(len(present[0]))
     )
-
-
-def means_for_naming(rows: Float[np.ndarray, "N F"], feature_names: Sequence[str]) -> Float[np.ndarray, "F"]:
-    """Average features, where a type counts as hollow or not, however it is open."""
-    return np.asarray(np.where(np.array(feature_names) == "t", rows >= 0.5, rows).mean(0))
 
 
 def rounded(values: Iterable[float]) -> Effect:
@@ -510,33 +505,3 @@ def _stands_there(operator: Operator, outcome: Outcome) -> bool:
     away, up = outcome.resting_effect - operator.promise.outcome, outcome.resting_effect[2]
     is_near = float(np.linalg.norm(away[:2])) <= TOLERANCE
     return outcome.kind == "carried" and is_near and abs(float(up)) <= _LEVEL and not outcome.disturbed
-
-
-# Names of categories, as those of operators: legal in PDDL, each ends with the bits that it stands for
-
-_CONTRAST = 0.1  # least relative difference to the other categories that is worth a word
-_SURE = 0.75  # least share of one type that is worth a word
-
-
-def name_categories(
-    symbols: Sequence[Symbol], means: Float[np.ndarray, "L F"], feature_names: Sequence[str]
-) -> tuple[str, ...]:
-    """Name categories by what sets each apart from the others: `hollow-low-10`, `solid-wide-01`, `any-11`.
-
-    Of the mean features those named s_x, s_y, d and t are used; of t, the mean is the share that is hollow.
-    """
-    columns = {name: means[:, number] for number, name in enumerate(feature_names)}
-    names = []
-    for row, symbol in enumerate(symbols):
-        words = ["kind"]
-        if "t" in columns:
-            share = columns["t"][row]
-            words = ["hollow" if share >= _SURE else "solid" if share <= 1 - _SURE else "any"]
-        for parts, less, more in ((("d",), "low", "tall"), (("s_x", "s_y"), "narrow", "wide")):
-            if all(part in columns for part in parts):
-                values = np.sum([columns[part] for part in parts], axis=0)
-                usual = np.delete(values, row).mean() if len(values) > 1 else 0.0
-                ratio = values[row] / usual if usual else 1.0
-                words.append(less if ratio < 1 - _CONTRAST else more if ratio > 1 + _CONTRAST else "")
-        names.append("-".join([*filter(None, words), symbol]))
-    return tuple(names)

@@ -7,6 +7,7 @@ moves by as many cells, or to the one, that the operator says. So nothing is gro
 import textwrap
 from collections.abc import Iterator, Sequence
 
+from neurosym.data.category_names import traits_of
 from neurosym.errors import InvalidValue
 from neurosym.pddl.strips import WIDTH
 from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Facts, PddlProblem, Predicate, Typed
@@ -63,10 +64,13 @@ def _head(domain: ValueDomain) -> Iterator[str]:
     yield "What goes as promised with chance p costs 1 + round(-100 ln p), by rows of the data."
     for cells in domain.cells:
         yield f"{cells.axis.name} ({cells.axis.kind}): {cells}"
+    traits = traits_of(domain.categories, domain.features)
     for category in domain.categories:
         pairs = zip(domain.features, category.feature_means, strict=False)
         means = ", ".join(f"{name} {mean:.3g}" for name, mean in pairs)
-        yield from textwrap.wrap(f"{category.name}: {means or 'never seen'}", WIDTH, break_on_hyphens=False)
+        apart = ", ".join(map(str, traits.get(category.symbol, ())))
+        said = f"{apart}; on average {means}" if apart else means or "never seen"
+        yield from textwrap.wrap(f"{category.name}: {said}", WIDTH, break_on_hyphens=False)
     for one in domain.operators:
         yield f"{one.name}: {domain.told(one)}, {one.chance:.0%}"
 
