@@ -38,6 +38,7 @@ GROUPS = {
     },
     "What was learned": {
         "show": "Show interactions, primitives, operators, problems or symbols, in pictures or live.",
+        "traces": "Write (bits, action symbol, bits) of all interactions, for learners of action models.",
         "explain": "Say in words what each symbol means: what is done, and which objects are alike.",
     },
 }
@@ -57,7 +58,7 @@ _HOMES = {
     "pipeline": ("run",),
     "tasks": ("new-problem", "plan", "planners", "validate"),
     "execute": ("demo", "execute", "replay"),
-    "show": ("show", "explain", "report", "compare"),
+    "show": ("show", "traces", "explain", "report", "compare"),
     "studio": ("studio",),
 }
 """In which module of this folder each command is."""

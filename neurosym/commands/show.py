@@ -202,6 +202,38 @@ def report(
     return 0
 
 
+def traces(
+    folder: Folder,
+    output: Annotated[
+        Optional[Path], arg(metavar="FILE", help="Write it here, not in DIR/traces.csv.")
+    ] = None,
+) -> int:
+    """Write (bits, action symbol, bits) of all interactions, for learners of action models.
+
+    It is a text table as macq reads it, where features show what actions change. `neurosym init --data` takes
+    such tables of anybody's; then `compile-domain` needs no network.
+    """
+    from neurosym.data.axes import axes_in
+    from neurosym.data.interactions import Interactions
+    from neurosym.stages.value_stages import symbols_of
+    from neurosym.values.traces import traces_text
+
+    check_file(output, "table", ".csv")
+    domain = opened(folder)
+    data, given = Interactions.load(domain.require(INTERACTIONS)), symbols_of(domain)
+    text = traces_text(
+        data,
+        axes_in(data.origin.get("axes", [])),
+        object_symbols=given.object_symbols,
+        action_symbols=given.action_symbols,
+    )
+    path = output or folder / "traces.csv"
+    write_atomically(path, text)
+    say(f"wrote {path}, {counted(len(data), 'trace')}")
+    say_next(f"neurosym init my-traces --data {quoted(path)}")
+    return 0
+
+
 def explain(
     folder: Folder,
     output: Annotated[

@@ -1,7 +1,8 @@
 """Tables as people have them, read as interactions: .csv, .npy, .npz, .safetensors and .pt.
 
 Which columns are what, their names say, as `feature.mass`, `action.speed`, `choice.gear`, `effect.x` and
-`after.x`, or a small file does. Nothing of a table is ever unpickled or executed.
+`after.x`, or a small file does. Where rows follow each other in an episode, the next one says what came of
+one. Nothing of a table is ever unpickled or executed.
 """
 
 import csv
@@ -31,6 +32,7 @@ _ROLES = {"feature": "features", "action": "actions", "choice": "choices", "effe
 """What names of columns may begin with."""
 _TRUTH = {"true": 1.0, "false": 0.0, "yes": 1.0, "no": 0.0}
 _PART = re.compile(r"(?P<name>.+)\[(?P<first>\d+)(?P<range>:(?P<last>\d+))?\]")
+_TRACE = ("action", "plan_id")  # columns of a trace, as macq reads them; all others are bits
 _MOST_CHOICES = 64  # of one column: each becomes a column of its own
 
 
@@ -42,6 +44,9 @@ class Roles(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     choices: tuple[str, ...] = ()  # the same by whole numbers or words of which one is chosen
     effects: tuple[str, ...] = ()  # what was added along each axis, or became of what is set
     after: tuple[str, ...] | dict[str, str] = ()  # or what features became: all in order, or some by name
+    episode: str = (
+        ""  # or the column that says which rows follow each other: the next one says what they became
+    )
     axes: tuple[dict[str, Any], ...] = ()  # what effects are along; see `Axis`
     names: dict[str, tuple[str, ...]] = {}  # names of the columns of an array
     origin: dict[str, Any] = {}  # what else is known, as docs/data.md has it
@@ -72,7 +77,7 @@ def read_interactions(path: Path, columns: Path | None = None) -> Interactions:
     else:
         mapping = _by_names(path, table)
     try:
-        arrays, origin = _gathered(table, mapping)
+        arrays, origin = _gathered(*_paired(table, mapping))
     except InvalidValue as error:
         raise InvalidFile(where, str(error).rstrip(".")) from error
     if problems := file_problems(arrays, origin):
@@ -176,7 +181,14 @@ def _read_tensors(path: Path) -> dict[str, np.ndarray]:
 
 
 def _by_names(path: Path, table: Table) -> Roles:
-    """Tell by their names what columns are: `feature.mass`, or arrays called `features` and so on."""
+    """Tell by their names what columns are: `feature.mass`, or arrays called `features` and so on.
+
+    Traces as learners of action models read them have a column `action`, one `plan_id`, and bits.
+    """
+    if {*_TRACE} < {*table}:
+        return Roles(
+            tuple(name for name in table if name not in _TRACE), choices=_TRACE[:1], episode=_TRACE[1]
+        )
     roles: dict[str, list[str]] = {role: [role] for role in _ROLES.values() if role in table}
     after = dict[str, str]()
     for column in table:
@@ -185,14 +197,15 @@ def _by_names(path: Path, table: Table) -> Roles:
             roles.setdefault(_ROLES[role], []).append(column)
         elif dot and name and role == "after":
             after[name] = column
-    given = {role: tuple(names) for role, names in roles.items()}
+    given: dict[str, Any] = {role: tuple(names) for role, names in roles.items()}
     if "features" not in given:
         raise InvalidFile(
             path,
             f"its columns are called {listed_briefly([*map(shortened, table)])}; valid: names such as "
             "feature.mass, action.speed, choice.gear, effect.x and after.mass, or --columns FILE",
         )
-    return Roles(**given, after=after)  # type: ignore[arg-type]  # of names alone
+    is_told = "effects" in given or after
+    return Roles(**given, after=after, episode="episode" if "episode" in table and not is_told else "")
 
 
 @dataclass(frozen=True)
@@ -245,6 +258,24 @@ def _column(table: Table, name: str) -> np.ndarray:
     return found[:, first:last]
 
 
+def _paired(table: Table, mapping: Roles) -> tuple[Table, Roles]:
+    """Set beside each row that is followed by one of its episode what features are in that."""
+    if not mapping.episode:
+        return table, mapping
+    if mapping.effects or mapping.after:
+        raise InvalidValue(
+            "It names an episode, whose next row says what came of it; leave out effects and after"
+        )
+    of = _column(table, mapping.episode)[:, 0]
+    followed = np.flatnonzero(of[1:] == of[:-1])
+    if not len(followed):
+        raise InvalidValue(f"No row follows another one with the same {shortened(mapping.episode)}")
+    later = {f"next {name}": column[followed + 1] for name, column in table.items()}
+    paired = {**{name: column[followed] for name, column in table.items()}, **later}
+    after = tuple(f"next {name}" for name in mapping.features)
+    return paired, msgspec.structs.replace(mapping, after=after, episode="")
+
+
 def _rows(table: Table) -> int:
     return len(next(iter(table.values())))
 
@@ -254,7 +285,9 @@ def _gathered(table: Table, mapping: Roles) -> tuple[dict[str, np.ndarray], dict
     if not (mapping.actions or mapping.choices):
         raise InvalidValue("It names no actions; valid: columns of actions, or of choices")
     if bool(mapping.effects) == bool(mapping.after):
-        raise InvalidValue("It must name effects, or else what became of features afterwards, and not both")
+        raise InvalidValue(
+            "It must name effects, or else after or an episode, by which features became others"
+        )
     features = _chosen(table, mapping, mapping.features)
     actions = _chosen(table, mapping, mapping.actions)
     names, columns = [*actions.names], [actions.values]

@@ -5,7 +5,7 @@ from contextlib import suppress
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -26,11 +26,15 @@ from neurosym.tasks.transition import named_steps
 from neurosym.values.domain import ValueDomain
 from neurosym.values.outcomes import compile_values
 from neurosym.values.problem import FORMAT, Goal, Thing, ValueProblem, ValueTask, known_to
+from neurosym.values.traces import GivenSymbols
 from neurosym.values.value_execution import execute_values
 from neurosym.values.value_page import known_words, read_steps, value_page, value_problem, written
 from neurosym.values.value_planning import Predict, plan_values
 from neurosym.worlds.state_world import HostedStates
 from neurosym.worlds.world_file import has_world, read_axes, read_stepper
+
+if TYPE_CHECKING:
+    from neurosym.learning.network import EffectModel
 
 USUAL_REPLANS = 10
 """How many new plans are made on the way, unless the user says otherwise."""
@@ -53,17 +57,18 @@ def compile_values_stage(folder: DomainFolder, *, name: str | None = None) -> St
     """
 
     def work() -> None:
-        from neurosym.learning.network import EffectModel
-
-        table = OperatorTable.load(folder.require(layout.PRIMITIVES))
-        model = EffectModel.load(folder.require(layout.MODEL))
+        given, data = symbols_of(folder), Interactions.load(folder.require(layout.INTERACTIONS))
+        if isinstance(given, GivenSymbols):
+            table = given.table()
+        else:
+            table = OperatorTable.load(folder.require(layout.PRIMITIVES))
         try:
             domain = compile_values(
-                Interactions.load(folder.require(layout.INTERACTIONS)),
+                data,
                 table,
                 name=name or legal_name(folder.path.resolve().name),
-                object_symbols=model.object_symbols,
-                action_symbols=model.action_symbols,
+                object_symbols=given.object_symbols,
+                action_symbols=given.action_symbols,
                 axes=read_axes(folder / layout.WORLD),
             )
         except InvalidValue as error:
@@ -74,7 +79,8 @@ def compile_values_stage(folder: DomainFolder, *, name: str | None = None) -> St
             with suppress(InvalidFile, InvalidValue):  # a problem of another domain
                 _put(folder, read_json(scene, ValueProblem), domain)
 
-    inputs = (layout.WORLD, layout.INTERACTIONS, layout.MODEL, layout.PRIMITIVES)
+    learned = (layout.MODEL, layout.PRIMITIVES) if (folder / layout.MODEL).exists() else ()
+    inputs = (layout.WORLD, layout.INTERACTIONS, *learned)
     options = {"name": name} if name else {}
     return Stage("compile-domain", inputs, (layout.DOMAIN, layout.GROUNDING), work, options, Claim.ALONE)
 
@@ -84,12 +90,20 @@ def domain_of(folder: DomainFolder) -> ValueDomain:
     return ValueDomain.load(folder.require(layout.GROUNDING))
 
 
-def _put(folder: DomainFolder, problem: ValueProblem, domain: ValueDomain) -> None:
-    """Write a problem, as we read it and printed, with what the network says of its things."""
+def symbols_of(folder: DomainFolder) -> "EffectModel | GivenSymbols":
+    """Return what gives symbols in a folder: the network, or data that are such bits already."""
     from neurosym.learning.network import EffectModel
 
-    model = EffectModel.load(folder.require(layout.MODEL))
-    things = tuple(known_to(thing, domain, model.object_symbols) for thing in problem.things)
+    if not (folder / layout.MODEL).exists():
+        with suppress(InvalidValue):
+            return GivenSymbols(Interactions.load(folder.require(layout.INTERACTIONS)))
+    return EffectModel.load(folder.require(layout.MODEL))
+
+
+def _put(folder: DomainFolder, problem: ValueProblem, domain: ValueDomain) -> None:
+    """Write a problem, as we read it and printed, with the symbols of its things in each state."""
+    categorise = symbols_of(folder).object_symbols
+    things = tuple(known_to(thing, domain, categorise) for thing in problem.things)
     problem = ValueProblem(FORMAT, problem.name, things, problem.goals, problem.provenance)
     task = ValueTask(problem, domain)
     make_folder(folder / layout.PROBLEMS)
@@ -133,7 +147,8 @@ def value_problem_stage(
                 raise
             raise InvalidFile(scene, str(error).rstrip(".")) from error
 
-    inputs = (layout.GROUNDING, layout.MODEL, layout.INTERACTIONS)
+    learned = (layout.MODEL,) if (folder / layout.MODEL).exists() else ()
+    inputs = (layout.GROUNDING, *learned, layout.INTERACTIONS)
     options: dict[str, Any] = {"things": things, "actions": actions, "seed": seed, "goals": goals}
     outputs = (layout.problem_file(name, layout.PDDL), layout.scene_file(name))
     return Stage(f"new-problem {name}", inputs, outputs, work, options)
@@ -149,11 +164,9 @@ def _drawn(
     goals: Mapping[str, Mapping[str, Goal]] | None,
 ) -> ValueProblem:
     """Draw things from the data; random operators lead to the goal unless it is given."""
-    from neurosym.learning.network import EffectModel
-
     rng = np.random.default_rng(seed)
     data = Interactions.load(folder.require(layout.INTERACTIONS))
-    categorise = EffectModel.load(folder.require(layout.MODEL)).object_symbols
+    categorise = symbols_of(folder).object_symbols
     rows = rng.choice(len(data), size=count, replace=count > len(data))
     names = [f"thing-{number:02d}" for number in range(1, count + 1)]
     things = tuple(
@@ -232,8 +245,7 @@ def _prediction(folder: DomainFolder) -> Predict:
     """Return what the network of a folder predicts through the symbols."""
     from neurosym.learning.network import EffectModel
 
-    model = EffectModel.load(folder.require(layout.MODEL))
-    return model.predict_symbols
+    return EffectModel.load(folder.require(layout.MODEL)).predict_symbols
 
 
 def _write_plan(folder: DomainFolder, task: ValueTask, planner: str, result: PlanResult) -> None:

@@ -5,15 +5,16 @@ ways on one category, each that is seen often enough is an operator of its own.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import msgspec
 import numpy as np
 
 from neurosym.checks import Bool, Float
-from neurosym.data.axes import Axis, axes_in
+from neurosym.data.axes import Axis, axes_in, legal_name
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.operators import (
@@ -76,8 +77,8 @@ def compile_values(
     for primitive in table.primitives:
         for category in table.categories:
             if (primitive.label, category.symbol) in groups:
-                found = groups[primitive.label, category.symbol]
-                operators += operators_of(primitive, category, found, axes, taken)
+                found, verb = groups[primitive.label, category.symbol], _chosen(primitive, origin)
+                operators += operators_of(primitive, category, found, axes, taken, verb=verb)
     if not operators:
         raise InvalidValue("No action changes anything by more than half a cell, so nothing can be planned.")
     return ValueDomain(
@@ -89,6 +90,15 @@ def compile_values(
         primitives=table.primitives,
         operators=tuple(sorted(operators, key=lambda one: one.name)),
     )
+
+
+def _chosen(primitive: Primitive, origin: Mapping[str, Any]) -> str:
+    """Name what a primitive chooses, if all of an action is one choice, like `gear=2` or `move=left`."""
+    names, chosen = origin.get("action_names", ()), origin.get("choices", ())
+    if len({name.partition("=")[0] for name in names}) != 1 or [*chosen] != [*range(len(primitive.action))]:
+        return ""
+    what, _, value = names[int(np.argmax(primitive.action))].partition("=")
+    return legal_name(value if value[:1].isalpha() else f"{what} {value}")
 
 
 @dataclass(frozen=True)
@@ -185,12 +195,21 @@ def name_of(outcome: Outcome, axes: Sequence[Axis]) -> str:
 
 
 def operators_of(
-    primitive: Primitive, category: Category, rows: Rows, axes: Sequence[Axis], taken: set[str]
+    primitive: Primitive,
+    category: Category,
+    rows: Rows,
+    axes: Sequence[Axis],
+    taken: set[str],
+    *,
+    verb: str = "",
 ) -> Iterator[ValueOperator]:
-    """Return an operator for each outcome that is planned with, with names that are not taken yet."""
+    """Return an operator for each outcome that is planned with, with names that are not taken yet.
+
+    A name begins with the verb, or else with what the outcome does.
+    """
     for outcome in outcomes_of(rows, axes):
         if is_worth(outcome, len(rows)):
-            plain = f"{name_of(outcome, axes)}-{primitive.label}-{category.name}"
+            plain = f"{verb or name_of(outcome, axes)}-{primitive.label}-{category.name}"
             names = (plain, *(f"{plain}-or-{letter}" for letter in "abcdefgh"))
             name = next(one for one in names if one not in taken)
             taken.add(name)

@@ -5,15 +5,16 @@ moves by as many cells, or to the one, that the operator says. So nothing is gro
 """
 
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from neurosym.data.category_names import traits_of
 from neurosym.errors import InvalidValue
+from neurosym.operators import Symbol
 from neurosym.pddl.strips import WIDTH
 from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Facts, PddlProblem, Predicate, Typed
 from neurosym.tasks.transition import PlanStep
-from neurosym.values.domain import Cells, ValueDomain
-from neurosym.values.problem import Cell, ValueTask
+from neurosym.values.domain import Cells, Step, ValueDomain, ValueOperator
+from neurosym.values.problem import Cell, Thing, ValueTask
 
 
 def value_page(domain: ValueDomain) -> Domain:
@@ -116,57 +117,19 @@ def _actions(axes: Sequence[str], number: int) -> Iterator[Action]:
 def value_problem(task: ValueTask) -> PddlProblem:
     """Return the printed problem of a task."""
     problem, domain = task.problem, task.domain
-    names = [axis.name for axis in domain.axes]
-    met = {thing.name: {task.category(thing.name, task.start[thing.name])} for thing in problem.things}
-    facts = [Facts("", (("ready",),))]
-    states = [*domain.states()]
-    shown = domain.shown_cells
-    for thing in problem.things:
-        at = [
-            (f"at-{cells.axis.name}", thing.name, cells.name(here))
-            for cells, here in zip(domain.cells, task.start[thing.name], strict=True)
-        ]
-        facts.append(Facts(f"{thing.name} at the start", tuple(at)))
-        symbols = task.categories(thing)
-        met[thing.name] |= {*symbols}
-        kinds = [
-            ("is-then", thing.name, *_named(shown, state), domain.category(symbol).name)
-            for state, symbol in zip(states, symbols, strict=True)
-        ]
-        facts.append(Facts("its category in each state", tuple(kinds)))
-    every = {symbol for found in met.values() for symbol in found}
-    offered = [one for one in domain.operators if one.category in every]
-    does = [
-        (
-            *("does", one.name, domain.category(one.category).name),
-            *(cells.step_name(step) for cells, step in zip(domain.cells, one.outcome.steps, strict=True)),
-            f"cost{one.cost}",
-        )
-        for one in offered
-    ]
-    facts.append(Facts("what operators do", tuple(does)))
-    objects: list[Typed] = [(thing.name, "thing") for thing in problem.things]
-    objects += [(domain.category(symbol).name, "category") for symbol in sorted(every)]
-    objects += [(one.name, "operator") for one in offered]
-    for number, cells in enumerate(domain.cells):
-        steps = {cells.step_name(one.outcome.steps[number]): one.outcome.steps[number] for one in offered}
-        leads = [
-            (f"{names[number]}-leads", name, cells.name(here), cells.name(there))
-            for name, step in sorted(steps.items())
-            for here in range(cells.count)
-            if (there := cells.led(here, step)) is not None
-        ]
-        facts.append(Facts(f"where steps of {names[number]} lead", tuple(leads)))
-        objects += [(cells.name(n), f"{names[number]}-cell") for n in range(cells.count)]
-        objects += [(name, f"{names[number]}-step") for name in sorted(steps)]
-    cells_of = {cells.axis.name: cells for cells in domain.cells}
-    goals = [
-        (f"goal-{axis}", thing, cells_of[axis].name(n))
-        for (thing, axis), some in task.goals.items()
-        for n in some
-    ]
-    facts.append(Facts("what meets goals", tuple(goals)))
+    met = {symbol for thing in problem.things for symbol in task.categories(thing)}
+    offered = [one for one in domain.operators if one.category in met]
+    acted = sorted({one.category for one in offered})
     prices = sorted({one.cost for one in offered})
+    objects: list[Typed] = [(thing.name, "thing") for thing in problem.things]
+    objects += [(domain.category(symbol).name, "category") for symbol in acted]
+    objects += [(one.name, "operator") for one in offered]
+    leads = list[Facts]()
+    for number, cells in enumerate(domain.cells):
+        name, steps = cells.axis.name, {one.outcome.steps[number] for one in offered}
+        leads.append(_leads(cells, steps))
+        objects += [(cells.name(n), f"{name}-cell") for n in range(cells.count)]
+        objects += sorted((cells.step_name(step), f"{name}-step") for step in steps)
     return PddlProblem(
         name=problem.name,
         domain=domain.name,
@@ -175,10 +138,55 @@ def value_problem(task: ValueTask) -> PddlProblem:
             f"How it came about: {' '.join(problem.provenance.split())}.",
         ),
         objects=(*objects, *((f"cost{price}", "price") for price in prices)),
-        facts=tuple(facts),
+        facts=(
+            Facts("", (("ready",),)),
+            *(one for thing in problem.things for one in _of_thing(task, thing, acted)),
+            Facts("what operators do", tuple(_does(domain, one) for one in offered)),
+            *leads,
+            Facts("what meets goals", tuple(_meets(task))),
+        ),
         costs={("cost", f"cost{price}"): price for price in prices},
         goals=tuple((f"done-{axis}", thing) for thing, axis in task.goals),
     )
+
+
+def _of_thing(task: ValueTask, thing: Thing, acted: Sequence[Symbol]) -> Iterator[Facts]:
+    """Say where a thing is, and its category in each state in which something can be done with it."""
+    domain, here = task.domain, task.start[thing.name]
+    at = zip(domain.cells, here, strict=True)
+    begin = tuple((f"at-{cells.axis.name}", thing.name, cells.name(number)) for cells, number in at)
+    yield Facts(f"{thing.name} at the start", begin)
+    kinds = zip(domain.states(), task.categories(thing), strict=True)
+    then = tuple(
+        ("is-then", thing.name, *_named(domain.shown_cells, state), domain.category(symbol).name)
+        for state, symbol in kinds
+        if symbol in acted
+    )
+    yield Facts("its category in each state", then)
+
+
+def _does(domain: ValueDomain, one: ValueOperator) -> Atom:
+    steps = zip(domain.cells, one.outcome.steps, strict=True)
+    far = (cells.step_name(step) for cells, step in steps)
+    return ("does", one.name, domain.category(one.category).name, *far, f"cost{one.cost}")
+
+
+def _leads(cells: Cells, steps: Iterable[Step]) -> Facts:
+    """Say from which cell of an axis steps lead to which."""
+    name, named = cells.axis.name, sorted((cells.step_name(step), step) for step in steps)
+    leads = tuple(
+        (f"{name}-leads", step_name, cells.name(here), cells.name(there))
+        for step_name, step in named
+        for here in range(cells.count)
+        if (there := cells.led(here, step)) is not None
+    )
+    return Facts(f"where steps of {name} lead", leads)
+
+
+def _meets(task: ValueTask) -> Iterator[Atom]:
+    cells = {one.axis.name: one for one in task.domain.cells}
+    for (thing, axis), numbers in task.goals.items():
+        yield from ((f"goal-{axis}", thing, cells[axis].name(number)) for number in numbers)
 
 
 def _named(cells: Sequence[Cells], state: Cell) -> Iterator[str]:

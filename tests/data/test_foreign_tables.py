@@ -76,9 +76,23 @@ def test_a_mapping_says_it_of_arrays_and_angles_come_round(tmp_path, suffix):
     np.testing.assert_allclose(found.effects[:, 0], AFTER[:, 1], rtol=1e-6)
 
 
+def test_the_next_row_of_an_episode_says_what_came_of_one(tmp_path):
+    table, columns = tmp_path / "runs.npz", tmp_path / "columns.toml"
+    np.savez(table, obs=STATES, act=MOVES, run=np.arange(ROWS) // 10)
+    columns.write_text('features = ["obs"]\nchoices = ["act"]\nepisode = "run"\n')
+    found = read_interactions(table, columns)
+    kept = np.flatnonzero(np.arange(ROWS) % 10 < 9)
+    np.testing.assert_allclose(found.features, STATES[kept], rtol=1e-6)
+    np.testing.assert_allclose(found.effects, STATES[kept + 1] - STATES[kept], atol=1e-5)
+    named = csv(tmp_path / "a.csv", "feature.x,choice.a,episode", [(x, 1, x > 8) for x in range(30)])
+    np.testing.assert_array_equal(read_interactions(named).effects, np.ones((28, 1)))
+
+
 @pytest.mark.parametrize(
     ("mapping", "said"),
     [
+        (MAPPING.replace("[names]", 'episode = "act"\n[names]'), "leave out effects and after"),
+        ('features = ["obs"]\nactions = ["act"]\nepisode = "next[0]"\n', "No row follows another"),
         ('features = ["obs"]\nactions = ["act"]\n', "must name effects"),
         ('features = ["obs"]\neffects = ["next"]\n', "names no actions"),
         ('features = ["nothing"]\nactions = ["act"]\neffects = ["next"]\n', "no column nothing"),

@@ -1,0 +1,64 @@
+"""Bits out and in: traces that learners of action models read, and a domain that is compiled from others'."""
+
+import csv
+import random
+
+import numpy as np
+import pytest
+from command_line import neurosym, refusal
+
+from neurosym.data.interactions import Interactions
+from neurosym.values.traces import GivenSymbols
+
+LAMPS = 3
+
+
+@pytest.fixture
+def traces(tmp_path):
+    """Traces of three lamps that are switched one by one; the last only while the first is lit."""
+    rng, rows = random.Random(0), [["lamp1", "lamp2", "lamp3", "action", "plan_id"]]
+    for plan in range(30):
+        lit = [0] * LAMPS
+        for _ in range(15):
+            lamp = rng.randrange(LAMPS)
+            rows.append([*lit, f"switch{lamp + 1}", plan])
+            lit[lamp] ^= lamp < 2 or lit[0]
+        rows.append([*lit, "", plan])
+    file = tmp_path / "traces.csv"
+    with file.open("w", newline="") as text:
+        csv.writer(text).writerows(rows)
+    return file
+
+
+def test_traces_of_others_are_compiled_as_they_are(traces, tmp_path, capsys):
+    folder = tmp_path / "lamps"
+    assert neurosym("init", folder, "--data", traces) == 0
+    assert neurosym("compile-domain", folder) == 0
+    goals = (word for n in range(1, 4) for word in ("--goal", f"thing-01.lamp{n}={int(n == 3)}"))
+    assert neurosym("new-problem", folder, *goals) == 0
+    assert neurosym("plan", folder, "task-01") == 0
+    capsys.readouterr()
+    assert neurosym("validate", folder, "task-01", folder / "plans/task-01.fast-downward.plan") == 0
+    assert "validator says: valid" in capsys.readouterr().out
+    assert "switch3-10-state-100" in (folder / "domain.pddl").read_text()
+    assert "switch3-10-state-000" not in (folder / "domain.pddl").read_text()  # which changes nothing
+
+
+def test_bits_go_out_as_they_came_in(traces, tmp_path):
+    folder, again = tmp_path / "lamps", tmp_path / "again"
+    assert neurosym("init", folder, "--data", traces) == 0
+    assert neurosym("traces", folder) == 0
+    assert neurosym("init", again, "--data", folder / "traces.csv") == 0
+    first, second = (Interactions.load(one / "interactions.npz") for one in (folder, again))
+    np.testing.assert_array_equal(first.features, second.features)
+    np.testing.assert_array_equal(first.effects, second.effects)
+    told = GivenSymbols(first).action_symbols(first.actions)
+    assert told == GivenSymbols(second).action_symbols(second.actions)
+
+
+def test_what_no_feature_shows_has_no_traces(tmp_path, capsys):
+    rows = "\n".join(f"{n % 2},{n % 3},{n}" for n in range(30))
+    (tmp_path / "push.csv").write_text(f"feature.red,choice.push,effect.x\n{rows}")
+    assert neurosym("init", tmp_path / "push", "--data", tmp_path / "push.csv") == 0
+    capsys.readouterr()
+    assert "No feature shows what actions change" in refusal(capsys, "traces", tmp_path / "push")
