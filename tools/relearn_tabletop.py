@@ -14,7 +14,6 @@ import tyro
 
 from neurosym.commands.pipeline import run
 from neurosym.errors import counted
-from neurosym.evaluation.summary import markdown_table
 from neurosym.files import read_json, write_atomically
 from neurosym.grounding import Grounding
 from neurosym.learning.training import TrainingReport
@@ -29,6 +28,7 @@ from neurosym.stages.layout import GROUNDING, PRIMITIVES, TRAINING, plan_files
 from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import load_problem, plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
+from tools.benchmarks.tables import table
 
 TABLETOP = Path("domains/tabletop")
 STEPS, SEED = 10_000, 1
@@ -113,17 +113,17 @@ def stages_table(folder: DomainFolder, names: Sequence[str] = STAGES) -> str:
     stages = folder.manifest().stages
     rows = [[name, f"{stages[name].seconds / 60:.1f}"] for name in names]
     versions = ", ".join(f"{name} {number}" for name, number in stages["explore"].versions.items())
-    return f"{markdown_table(['stage', 'minutes'], rows)}\n\nVersions: {versions}."
+    return f"{table(['stage', 'minutes'], rows)}\n\nVersions: {versions}."
 
 
 def _training(folder: DomainFolder) -> str:
     report = read_json(folder / TRAINING, TrainingReport)
     rows = [[name, *(f"{1000 * error:.1f}" for error in errors)] for name, errors in report.mae.items()]
-    table = markdown_table(["mean absolute error [mm]", "x", "y", "z"], rows)
+    listed = table(["mean absolute error [mm]", "x", "y", "z"], rows)
     return (
         f"On {report.held_out} interactions held out from training, chosen by curiosity. On actions as they "
         "come, to which the decoder is fitted, it does better: see `docs/results/learning.md`.\n\n"
-        f"{table}\n\nR2 of the effect, mean of the axes: "
+        f"{listed}\n\nR2 of the effect, mean of the axes: "
         f"{report.r2_through_codes:.2f} through the bits, {report.r2_direct:.2f} of a network without a "
         f"bottleneck: a share of {report.share:.2f}."
     )
@@ -137,7 +137,7 @@ def categories_table(categories: tuple[Category, ...]) -> str:
         pairs = zip(means, category.feature_spreads, strict=False)
         sizes = [f"{1000 * mean:.0f} ± {1000 * spread:.0f}" for mean, spread in pairs]
         rows.append([category.symbol, category.name, f"{category.share:.0%}", *sizes, f"{kind:.1f}"])
-    return markdown_table(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", "mean type"], rows)
+    return table(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", "mean type"], rows)
 
 
 def operators_table(operators: tuple[Operator, ...], grounding: Grounding) -> str:
@@ -150,7 +150,7 @@ def operators_table(operators: tuple[Operator, ...], grounding: Grounding) -> st
             told = [f"{promise.kind}, {promise.share:.0%}", *map(_in_mm, (promise.outcome, promise.scatter))]
         kept = f"{operator.successes} of {operator.trials}"
         rows.append([operator.name, *told, kept, grounding.why_left_out(operator) or "yes"])
-    return markdown_table(columns, rows)
+    return table(columns, rows)
 
 
 def problems_table(folder: DomainFolder, planners: Sequence[str] = PLANNERS) -> list[str]:
@@ -171,7 +171,7 @@ def problems_table(folder: DomainFolder, planners: Sequence[str] = PLANNERS) -> 
             steps = counted(record.primitives, "primitive")
             rows[-1].append(f"{steps}, {run.outcome.removeprefix('goal ')}{missed}")
     summary = "; ".join(f"{one}: {found[one]} found, {reached[one]} reached" for one in planners)
-    return [markdown_table(["problem", "objects", *planners], rows), f"Of {len(rows)} problems, {summary}."]
+    return [table(["problem", "objects", *planners], rows), f"Of {len(rows)} problems, {summary}."]
 
 
 def _in_mm(vector: Sequence[float]) -> str:

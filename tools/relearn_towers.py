@@ -10,13 +10,13 @@ from pathlib import Path
 
 from neurosym.choices import AnyTask
 from neurosym.commands.pipeline import run
-from neurosym.evaluation.summary import markdown_table
 from neurosym.files import make_folder, write_json
 from neurosym.grounding import Grounding
 from neurosym.pair_operators import OF_PAIRS, RelationOperators
 from neurosym.stages.folder import DomainFolder, Manifest
 from neurosym.stages.layout import GROUNDING, MANIFEST
 from neurosym.stages.problem_making import Asked
+from tools.benchmarks.tables import table
 from tools.relearn_places import FOLDER as LEARNED
 from tools.relearn_places import PLACES, PLANNER, SEED, STEPS
 from tools.relearn_tabletop import STAGES, problems_table, stages_table, try_and_describe
@@ -116,7 +116,7 @@ def _states(relations: RelationOperators) -> str:
         [state.symbol, state.name, *(f"{value:.2f}" for value in state.centre), "yes" if state.bears else ""]
         for state in relations.states
     ]
-    return markdown_table(["bits", "name", "away", "above", "touching", "tilted", "bears"], rows)
+    return table(["bits", "name", "away", "above", "touching", "tilted", "bears"], rows)
 
 
 def _operators(relations: RelationOperators) -> str:
@@ -128,7 +128,7 @@ def _operators(relations: RelationOperators) -> str:
         + [f"{case.kept} of {case.trials}" for case in map(one.among, OF_PAIRS)]
         for one, promise in kept[:_MOST_OPERATORS]
     ]
-    return markdown_table(["operator", "as promised", "borne", "occupied", "laden"], rows)
+    return table(["operator", "as promised", "borne", "occupied", "laden"], rows)
 
 
 if __name__ == "__main__":

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 from neurosym.commands.catalogue import GROUPS, SUMMARIES, command_named
-from neurosym.evaluation.summary import markdown_table
 from neurosym.files import write_atomically
 from neurosym.stages.console import say
+from tools.benchmarks.tables import table
 
 PAGE = Path("docs/commands.md")
 HEAD = """# Commands
@@ -49,9 +49,9 @@ def section(name: str, command: Callable[..., int]) -> str:
     """Write what there is to know about a command."""
     rows = [*_rows(command)]
     places = " ".join(word for word, _, default in rows if not word.startswith("--"))
-    table = markdown_table(["", "what", "default"], [[f"`{word}`", *rest] for word, *rest in rows])
+    listed = table(["", "what", "default"], [[f"`{word}`", *rest] for word, *rest in rows])
     usage = f"```text\nneurosym {name} {places}".rstrip() + " [OPTIONS]\n```"
-    return f"## {name}\n\n{usage}\n\n{inspect.getdoc(command)}\n\n{table}"
+    return f"## {name}\n\n{usage}\n\n{inspect.getdoc(command)}\n\n{listed}"
 
 
 def _rows(command: Callable[..., int]) -> Iterator[tuple[str, str, str]]:

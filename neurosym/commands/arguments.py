@@ -93,6 +93,12 @@ def opened(folder: Path) -> DomainFolder:
     return DomainFolder(folder, notify=lambda remark: say(f"note: {remark}"))
 
 
+def refuse_options(**options: object) -> None:
+    """Refuse options that data of a user's own do not have, as far as they are given."""
+    if given := [f"--{name}" for name, value in options.items() if value not in (None, False, ())]:
+        raise InvalidValue(f"With data of your own there is no {' or '.join(given)}.")
+
+
 def answer_in(json: bool) -> Callable[..., None]:
     """Return how a command gives its answer to programs; from now on nothing else is printed to them.
 

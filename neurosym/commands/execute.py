@@ -18,13 +18,14 @@ from neurosym.commands.arguments import (
     answer_in,
     check_file,
     opened,
+    refuse_options,
 )
 from neurosym.commands.ending import NO_RESULT
 from neurosym.commands.tasks import given_plan
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, check_extra, counted, quoted
 from neurosym.files import make_folder, write_atomically
 from neurosym.stages.console import print_raw, say, say_next
-from neurosym.stages.folder import DomainFolder
+from neurosym.stages.folder import DomainFolder, Stage
 from neurosym.stages.layout import DOMAIN, RECORD, RUNS, plan_files, run_file
 
 if TYPE_CHECKING:
@@ -76,15 +77,17 @@ def execute(
     from neurosym.commands.tables import show_run
     from neurosym.stages.execution import execute_stage, load_run
     from neurosym.stages.plan_records import planned_tolerance, record_beside
-    from neurosym.stages.value_stages import is_of_values
+    from neurosym.stages.value_stages import execute_values_stage, is_of_values
 
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
     if is_of_values(domain):
-        if gui or gif or strip or disturb is not None or tolerance is not None:
-            raise InvalidValue("Values have no pictures, nudges and --tolerance; leave these options out.")
+        refuse_options(gui=gui, gif=gif, strip=strip, disturb=disturb, tolerance=tolerance)
         plan_file = given_plan(domain, folder, name, plan_file, must_fit=False)
-        return _execute_values(domain, folder, name, plan_file, replanner, replans, time_limit, answer)
+        stage = execute_values_stage(
+            domain, name, plan_file, replanner=replanner, replans=replans, time_limit=time_limit
+        )
+        return _perform_values(domain, stage, answer)
     plan_file = given_plan(domain, folder, name, plan_file)
     planned = planned_tolerance(plan_file)
     if planned is not None and tolerance is None:
@@ -118,31 +121,19 @@ def execute(
     return 0 if run.reached else NO_RESULT
 
 
-def _execute_values(
-    domain: DomainFolder,
-    folder: Path,
-    name: str,
-    plan_file: Path,
-    replanner: str,
-    replans: int | None,
-    time_limit: float | None,
-    answer: Callable[..., None],
-) -> int:
+def _perform_values(domain: DomainFolder, stage: Stage, answer: Callable[..., None]) -> int:
     """Run a plan in a world of values, and show what came of each step."""
     from neurosym.commands.tables import show_value_run
     from neurosym.files import read_json
-    from neurosym.stages.value_stages import domain_of, execute_values_stage
+    from neurosym.stages.value_stages import domain_of
     from neurosym.values.value_execution import ValueRun
 
-    stage = execute_values_stage(
-        domain, name, plan_file, replanner=replanner, replans=replans, time_limit=time_limit
-    )
     domain.perform(stage, again=True)
-    record = stage.outputs[0]
-    run = read_json(domain / record, ValueRun)
+    record = domain / stage.outputs[0]
+    run = read_json(record, ValueRun)
     show_value_run(run, domain_of(domain))
-    say(f"wrote {folder / record}")
-    answer(run, file=str(folder / record))
+    say(f"wrote {record}")
+    answer(run, file=str(record))
     return 0 if run.reached else NO_RESULT
 
 

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, Optional
 
@@ -18,6 +19,7 @@ from neurosym.commands.arguments import (
     answer_in,
     check_file,
     opened,
+    refuse_options,
 )
 from neurosym.commands.ending import NO_RESULT
 from neurosym.errors import InvalidFile, InvalidValue, counted, quoted
@@ -28,7 +30,6 @@ from neurosym.stages.layout import GROUNDING, PLANS, WORLD, problem_files, scene
 
 if TYPE_CHECKING:
     from neurosym.stages.plan_records import PlanRecord
-    from neurosym.stages.problem_making import Asked
     from neurosym.values.problem import Goal
 
 
@@ -87,7 +88,7 @@ def new_problem(
     """
     from neurosym.problems import check_names
     from neurosym.stages.problem_making import Asked, problem_stage, scene_stage
-    from neurosym.stages.value_stages import is_of_values
+    from neurosym.stages.value_stages import goals_in_words, is_of_values, value_problem_stage
 
     domain, by_hand = opened(folder), bool(goal or relation)
     if scene and (by_hand or task or (objects, actions, seed) != (1, 1, 0)):
@@ -98,63 +99,37 @@ def new_problem(
         raise InvalidValue("Give only one of --actions, --task, and goals by hand (--goal and --relation).")
     if state is not None and task not in ("tower", "boxes", "unstack", "exchange"):
         raise InvalidValue("--state is for --task tower, boxes, unstack or exchange.")
+    check_names((name,) if name is not None else ())
+    of_values = is_of_values(domain)
+    if of_values:
+        refuse_options(task=task, relation=relation, tolerance=tolerance)
     asked = Asked(
         objects=objects,
         actions=actions,
         seed=seed,
-        goals=_parse_goals(goal) if goal and not is_of_values(domain) else None,
+        goals=_parse_goals(goal) if goal and not of_values else None,
         tolerance=tolerance,
         task=task,
         relations=tuple(map(_parse_relation, relation)),
         state=state or "",
     )
-    check_names((name,) if name is not None else ())
-    if is_of_values(domain):
-        return _new_value_problem(folder, domain, name, asked, goal, scene)
     with domain.naming_problems():
         name = name or (_name_of(scene, domain) if scene else domain.free_problem_name())
         check_names((name,))
         verb = "replaced" if name in domain.problem_names() else "wrote"
-        if scene:
+        if of_values:
+            goals = _parse_value_goals(goal)
+            stage = value_problem_stage(
+                domain, name, things=objects, actions=actions, seed=seed, goals=goals, scene=scene
+            )
+        elif scene:
             stage = scene_stage(domain, scene, name=name, tolerance=tolerance)
         else:
             stage = problem_stage(domain, name, asked)
         domain.perform(stage, again=True)
-    _say_made(domain, folder, name, verb)
-    say_next(f"neurosym plan {quoted(folder)} {name}")
-    return 0
-
-
-def _new_value_problem(
-    folder: Path,
-    domain: DomainFolder,
-    name: str | None,
-    asked: "Asked",
-    goal: tuple[str, ...],
-    scene: Path | None,
-) -> int:
-    """Make a problem of a domain of values."""
-    from neurosym.stages.value_stages import task_of, value_problem_stage
-
-    if asked.task or asked.relations or asked.tolerance is not None:
-        raise InvalidValue("Problems with data of your own have no --task, --relation and --tolerance.")
-    with domain.naming_problems():
-        name = name or (_name_of(scene, domain) if scene else domain.free_problem_name())
-        stage = value_problem_stage(
-            domain,
-            name,
-            things=asked.objects,
-            actions=asked.actions,
-            seed=asked.seed,
-            goals=_parse_value_goals(goal),
-            scene=scene,
-        )
-        domain.perform(stage, again=True)
-    say(f"wrote {folder / problem_files(name)[0]} and its scene")
-    for thing, goals in task_of(domain, name).problem.goals.items():
-        for axis, value in goals.items():
-            told = f"{value[0]:g} to {value[1]:g}" if isinstance(value, tuple) else f"{value:g}"
-            say(f"  goal: {axis} of {thing}: {told}")
+    say(f"{verb} {folder / problem_files(name)[0]} and its scene")
+    for line in goals_in_words(domain, name) if of_values else _goals_in_words(domain, name):
+        say(line)
     say_next(f"neurosym plan {quoted(folder)} {name}")
     return 0
 
@@ -176,19 +151,18 @@ def _parse_value_goals(texts: tuple[str, ...]) -> dict[str, dict[str, "Goal"]] |
     return goals or None
 
 
-def _say_made(domain: DomainFolder, folder: Path, name: str, verb: str) -> None:
+def _goals_in_words(domain: DomainFolder, name: str) -> Iterator[str]:
     from neurosym.grounding import Grounding
     from neurosym.problems import Problem
     from neurosym.tasks.task import is_reached
 
     problem = Problem.load(domain / scene_file(name))
-    say(f"{verb} {folder / problem_files(name)[0]} and its scene")
     if is_reached(problem, Grounding.load(domain / GROUNDING)):
-        say(f"note: it is met at the start, within {1000 * problem.tolerance:g} mm")
+        yield f"note: it is met at the start, within {1000 * problem.tolerance:g} mm"
     for target, other, state in problem.relations:
-        say(f"  goal: {target} {state} {other}")
+        yield f"  goal: {target} {state} {other}"
     for target, (x, y, *_) in problem.goals.items() if problem.relations else ():
-        say(f"  goal: {target} at ({x:.3f}, {y:.3f})")
+        yield f"  goal: {target} at ({x:.3f}, {y:.3f})"
 
 
 def _name_of(scene: Path, domain: DomainFolder) -> str:
@@ -320,9 +294,7 @@ def plan(
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
     if of_values := is_of_values(domain):
-        if encoding or whole or nearest or tolerance is not None:
-            said = "With data of your own there are no --encoding, --whole, --nearest and --tolerance."
-            raise InvalidValue(said)
+        refuse_options(encoding=encoding, whole=whole, nearest=nearest, tolerance=tolerance)
         stage = plan_values_stage(domain, name, planner=planner, time_limit=time_limit)
     else:
         stage = plan_stage(

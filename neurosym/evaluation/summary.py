@@ -155,10 +155,3 @@ def why_not_found(record: TaskRecord, name: str, planners: Sequence[str]) -> str
     if other.left_out:
         return "the other plan uses an operator that the domain leaves out"
     return _why_invalid(other).replace("it ends", "the other plan ends") or "though the other plan is valid"
-
-
-def markdown_table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Return a table as Markdown."""
-    lines = [columns, ["---"] * len(columns), *rows]
-    escaped = [[cell.replace("|", "\\|") for cell in line] for line in lines]
-    return "\n".join(f"| {' | '.join(line)} |" for line in escaped)

@@ -1,6 +1,6 @@
 """The stages of a domain of values: data of which there is no world, compiled, planned with and judged."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from functools import partial
 from hashlib import sha256
@@ -203,6 +203,14 @@ def task_of(folder: DomainFolder, name: str) -> ValueTask:
     return ValueTask(
         ValueProblem.read(folder.require(layout.scene_file(folder.problem(name))), domain), domain
     )
+
+
+def goals_in_words(folder: DomainFolder, name: str) -> Iterator[str]:
+    """Say the goals of a problem, a line each."""
+    for thing, goals in task_of(folder, name).problem.goals.items():
+        for axis, value in goals.items():
+            told = f"{value[0]:g} to {value[1]:g}" if isinstance(value, tuple) else f"{value:g}"
+            yield f"  goal: {axis} of {thing}: {told}"
 
 
 def actions_of(task: ValueTask, plan_file: Path) -> tuple[Atom, ...]:

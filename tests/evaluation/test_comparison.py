@@ -11,7 +11,6 @@ from toy_domain import WORLD, grounding, problem
 from toy_learning import an_outcome
 
 from neurosym.evaluation.comparison import Bench, Order, Setting, compare, compare_tasks
-from neurosym.evaluation.paper_tables import KINDS, kind_of, kinds_found
 from neurosym.evaluation.summary import summarise, why_not_found
 from neurosym.execution.performance import failure
 from neurosym.execution.record import Replanning, Run, StepRecord
@@ -19,6 +18,7 @@ from neurosym.operators import CARRIED, Primitive
 from neurosym.primitives.rehearsal import Rehearsals
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
+from tools.benchmarks.paper_tables import KINDS, kind_of, kinds_found
 
 BOTH = ("bfs", "fast-downward")
 TRUE_EFFECTS = np.array([(0.0, 0.0, 0.2), (0.0, 0.08, 0.0), (0.08, 0.0, 0.0)])  # lift, left, forward

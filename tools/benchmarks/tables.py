@@ -5,7 +5,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from statistics import mean, stdev
 from typing import Any
 
-from neurosym.evaluation.summary import markdown_table
 from neurosym.stages.verdicts import wilson
 
 NOT_YET = "not measured yet"
@@ -34,8 +33,12 @@ def document(*parts: str) -> str:
 
 def table(columns: str | Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Write a table, its columns named as in `size | tasks`; or say that there is nothing to write yet."""
+    if not rows:
+        return NOT_YET
     titles = columns.split(" | ") if isinstance(columns, str) else columns
-    return markdown_table(titles, rows) if rows else NOT_YET
+    lines = [titles, ["---"] * len(titles), *rows]
+    escaped = [[cell.replace("|", "\\|") for cell in line] for line in lines]
+    return "\n".join(f"| {' | '.join(line)} |" for line in escaped)
 
 
 def figures_table(columns: str, cells: Mapping[str, Mapping[str, Any]], *names: str) -> str:

@@ -14,7 +14,6 @@ import numpy as np
 
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import has_high_effect
-from neurosym.evaluation.paper_tables import kind_of, kinds_found
 from neurosym.learning.coclustering import cocluster
 from neurosym.learning.network import DirectModel, EffectModel
 from neurosym.learning.training import TEST_ROWS, Trained, r_squared, share_of, train, trivial_predictions
@@ -24,6 +23,7 @@ from neurosym.primitives.audition import choose
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.rehearsal import Rehearsals, rehearse
 from neurosym.worlds.world_file import read_world
+from tools.benchmarks.paper_tables import kind_of, kinds_found
 
 REHEARSED = 60  # objects that each primitive is rehearsed on
 ROWS, COLUMNS = 2000, 64  # actions and objects whose predicted effects are co-clustered

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from neurosym.evaluation.paper_tables import KINDS, kinds_table
+from tools.benchmarks.paper_tables import KINDS, kinds_table
 from tools.benchmarks.tables import NOT_YET, document, listed, table
 
 BySeed = Mapping[str, Mapping[str, Any]]

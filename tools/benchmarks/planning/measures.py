@@ -16,7 +16,6 @@ import numpy as np
 from neurosym.data.origin import StrategyName
 from neurosym.errors import NeurosymError
 from neurosym.evaluation.comparison import Bench, compare, planner_of
-from neurosym.evaluation.paper_tables import KINDS, LEAST_OBJECTS, LEAST_SHARE, kind_of
 from neurosym.execution.executor import execute
 from neurosym.execution.performance import summarise_run
 from neurosym.execution.record import Run
@@ -27,6 +26,7 @@ from neurosym.problems import Problem
 from neurosym.tasks.transition import primitives, validate
 from tools.benchmarks import domains
 from tools.benchmarks.domains import bench_of
+from tools.benchmarks.paper_tables import KINDS, LEAST_OBJECTS, LEAST_SHARE, kind_of
 from tools.benchmarks.planning.tasks import draw_symbolic, fewest_steps
 from tools.benchmarks.planning.trials import PLANNER, tried
 
