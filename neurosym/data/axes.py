@@ -31,7 +31,7 @@ class Axis(Document, frozen=True, omit_defaults=True):
     kind: AxisKind = "length"  #: How actions change it
     unit: str = ""  #: Unit of all its numbers
     cell: float | None = None  #: Size of its cells in PDDL; of a value, the least difference of two
-    low: float | None = None  #: Least value that a plan may lead to
+    low: float | None = None  #: Least value that a plan may lead to; of an angle, where it begins
     high: float | None = None  #: Greatest value that a plan may lead to
     tolerance: float | None = None  #: How near an outcome must come to count as the one that was promised
     period: float | None = None  #: Of an angle, after how much it is the same again
@@ -44,8 +44,8 @@ class Axis(Document, frozen=True, omit_defaults=True):
         if (self.period is None) == (self.kind == "angle"):
             said = "no period" if self.period is None else f"a period, and is a {self.kind}"
             raise self._wrong(said, "a period for each angle, and for nothing else")
-        if self.period and (self.low, self.high) != (None, None):
-            raise self._wrong("bounds, and is an angle", "a period alone, since it comes round")
+        if self.period and self.high is not None:
+            raise self._wrong("a high bound, and is an angle", "where it begins, as it comes round")
         if self.kind == "flag" and not {self.cell, self.low, self.high, self.tolerance} <= {None}:
             raise self._wrong("a cell, bounds or a tolerance, and is a flag", "none of these for 0 and 1")
         if self.low is not None and self.high is not None:

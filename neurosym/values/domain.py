@@ -51,7 +51,7 @@ class Cells:
             self.low, self.size, self.count = 0.0, 1.0, 2
         elif axis.period is not None:
             self.count = max(2, round(axis.period / (axis.cell or axis.period)))
-            self.low, self.size = 0.0, axis.period / self.count
+            self.low, self.size = axis.low or 0.0, axis.period / self.count
         else:
             self.low, self.size = axis.low or 0.0, axis.cell or 1.0
             self.count = math.floor((axis.span or 1.0) / self.size + 1e-6) + 1
@@ -94,8 +94,12 @@ class Cells:
         """Return the cells that meet a goal: a value, within the tolerance, or bounds."""
         tolerance = self.axis.tolerance or 0.0
         if isinstance(goal, tuple):
-            least, most = goal
-            found = [n for n in range(self.count) if least - 1e-9 <= self.centre(n) <= most + 1e-9]
+            least, most, round_it = goal[0] - 1e-9, goal[1] + 1e-9, self.axis.period or 0.0
+            found = [
+                n
+                for n in range(self.count)
+                if any(least <= self.centre(n) + turn * round_it <= most for turn in (-1, 0, 1))
+            ]
         else:
             off = [abs(self.axis.apart(self.centre(n), goal)) for n in range(self.count)]
             found = [n for n in range(self.count) if off[n] <= max(tolerance, min(off)) + 1e-9]

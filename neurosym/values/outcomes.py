@@ -266,9 +266,9 @@ def _completed(
     cell = axis.cell or _whole(every) or round_down(max(spread, usual / _FINE))
     tolerance = axis.tolerance or max(cell * 2 / 3, 2 * spread)
     if axis.period is not None:
-        return _filled(
-            axis, max(cell, axis.period / _MOST if axis.cell is None else 0.0), None, None, tolerance
-        )
+        cell = max(cell, axis.period / _MOST) if axis.cell is None else cell
+        low = None if by is None else math.floor(before.min() / cell + 1e-6) * cell or None
+        return _filled(axis, cell, low, None, tolerance)
     if by is None:
         reach = _WIDE * float(np.abs(every).max()) or 1.0
         low, high = -reach, reach

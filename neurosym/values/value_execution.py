@@ -108,7 +108,7 @@ def _performed(task: ValueTask, step: PlanStep, perform: Perform) -> tuple[Value
         before = thing.values.get(axis.name, 0.0) if by is None else thing.features[by]
         led = cells.centre(one.to) if one.to is not None else before + one.by * cells.size
         came = values[axis.name] if by is None else features[by]
-        promised.append(round(led % axis.period if axis.period else led, 6))
+        promised.append(round(came + axis.apart(led, came), 6))
         happened.append(round(came, 6))
         is_near = is_near and abs(axis.apart(came, led)) <= max(axis.tolerance or 0.0, cells.size / 2)
     told = ValueStep(operator.name, thing.name, tuple(promised), tuple(happened), is_near)

@@ -138,7 +138,7 @@ def test_tables_that_cannot_be_are_refused(tmp_path):
         ({"name": "x", "cell": 0}, "a cell of 0"),
         ({"name": "turn", "kind": "angle"}, "no period"),
         ({"name": "turn", "period": 3}, "a period, and is a length"),
-        ({"name": "turn", "kind": "angle", "period": 6.0, "low": 0}, "comes round"),
+        ({"name": "turn", "kind": "angle", "period": 6.0, "high": 6}, "comes round"),
         ({"name": "x", "low": 1, "high": 1}, "the first below the second"),
         ({"name": "x", "low": 0, "high": 1, "cell": 2}, "room for one cell"),
         ({"name": "x", "low": 0, "high": 1, "cell": 1e-6}, "1000000 cells"),

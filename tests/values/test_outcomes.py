@@ -246,3 +246,28 @@ def test_outcomes_that_differ_are_operators_of_their_own():
     assert first == pytest.approx(0.7, abs=0.08)
     assert first + second == pytest.approx(1.0, abs=0.02)
     assert Cells(found.axes[0]).count > 20
+
+
+def test_an_angle_begins_where_the_data_begin_so_that_the_network_is_asked_what_it_knows():
+    rng, none = np.random.default_rng(0), np.zeros(400, dtype=bool)
+    angle = rng.uniform(-np.pi, np.pi, 400)
+    turn = Axis("angle", "angle", period=2 * np.pi)
+    moved = np.full((400, 1), 0.5, dtype=np.float32)
+    data = Interactions(
+        angle[:, None].astype(np.float32), np.ones((400, 1), dtype=np.float32), moved, moved,
+        none, none, none, np.zeros(400, dtype=np.float32), {"feature_names": ["angle"]},
+    )  # fmt: skip
+    table = OperatorTable(
+        (Category("0", "kind-0", 1.0, (), ()),), (Primitive("1", (1.0,), 0.0),), (), "data", TABLE_FORMAT
+    )
+    found = compile_values(
+        data, table, name="turning", object_symbols=lambda rows: ("0",) * len(rows),
+        action_symbols=lambda rows: ("1",) * len(rows), axes=(turn,),
+    )  # fmt: skip
+    shown = found.features_at([0.0], [*found.states()])[:, 0]
+    (cells,) = found.cells
+    assert angle.min() - cells.size <= shown.min() < shown.max() <= angle.max() + cells.size
+    assert {cells.index(value) for value in (3.1, 3.1 - 2 * np.pi)} == {cells.index(3.1)}
+    beside = [cells.centre(number) for number in cells.near((-0.6, 0.6))]
+    assert beside == sorted(beside)
+    assert cells.near((-0.6, 0.6)) == cells.near((2 * np.pi - 0.6, 2 * np.pi + 0.6))
