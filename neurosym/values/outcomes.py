@@ -5,7 +5,7 @@ ways on one category, each that is seen often enough is an operator of its own.
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -21,9 +21,7 @@ from neurosym.operators import (
     MIN_CHANCE,
     MIN_TRIALS,
     Categorise,
-    Category,
     OperatorTable,
-    Primitive,
     name_axes,
     names_of_features,
 )
@@ -73,12 +71,28 @@ def compile_values(
         if len(found := rows[(objects == category.symbol) & (actions == primitive.symbol)])
     }
     axes = completed(given, [*groups.values()], shown=shown)
-    operators, taken = list[ValueOperator](), set[str]()
+    outcomes = {
+        key: [one for one in outcomes_of(found, axes) if is_worth(one, len(found))]
+        for key, found in groups.items()
+    }
+    steps = [one.steps for found in outcomes.values() for one in found]
+    usual = [float(np.median([step.by for step in along])) for along in zip(*steps, strict=True)]
+    operators = dict[str, ValueOperator]()
     for primitive in table.primitives:
         for category in table.categories:
-            if (primitive.label, category.symbol) in groups:
-                found, verb = groups[primitive.label, category.symbol], _chosen(primitive, origin)
-                operators += operators_of(primitive, category, found, axes, taken, verb=verb)
+            key = primitive.label, category.symbol
+            for outcome in outcomes.get(key, ()):
+                plain = f"{name_of(outcome, axes, usual)}-{primitive.label}-{category.name}"
+                others = (f"{plain}-or-{letter}" for letter in "abcdefgh")
+                named = next(one for one in (plain, *others) if one not in operators)
+                operators[named] = ValueOperator(
+                    named,
+                    category.symbol,
+                    primitive.symbol,
+                    len(groups[key]),
+                    outcome,
+                    primitive.variant,
+                )
     if not operators:
         raise InvalidValue("No action changes anything by more than half a cell, so nothing can be planned.")
     return ValueDomain(
@@ -88,7 +102,7 @@ def compile_values(
         axes=tuple(axes),
         categories=table.categories,
         primitives=table.primitives,
-        operators=tuple(sorted(operators, key=lambda one: one.name)),
+        operators=tuple(operators[one] for one in sorted(operators)),
     )
 
 
@@ -182,40 +196,20 @@ def is_worth(outcome: Outcome, trials: int) -> bool:
     return enough and not all(step.stays for step in outcome.steps)
 
 
-def name_of(outcome: Outcome, axes: Sequence[Axis]) -> str:
-    """Say in a word or two what an outcome does most of: `raise-angle`, `set-open-yes`, `stay`."""
-    far = [0 if one.stays else 10**6 if one.to is not None else abs(one.by) for one in outcome.steps]
-    number = int(np.argmax(far))
+def name_of(outcome: Outcome, axes: Sequence[Axis], usual: Sequence[float]) -> str:
+    """Say in a word or two what an outcome does most of, beside what is usual: `raise-angle`, `set-open-yes`.
+
+    What all outcomes do alike, as to sink a little, tells none from another.
+    """
+    far = [
+        (not one.stays, one.to is not None, abs(one.by - often), abs(one.by))
+        for one, often in zip(outcome.steps, usual, strict=True)
+    ]
+    number = max(range(len(far)), key=lambda number: far[number])
     step, axis = outcome.steps[number], axes[number]
-    if step.stays:
-        return "stay"
     if step.to is not None:
         return f"set-{Cells(axis).name(step.to)}"
     return f"{'raise' if step.by > 0 else 'lower'}-{axis.name}"
-
-
-def operators_of(
-    primitive: Primitive,
-    category: Category,
-    rows: Rows,
-    axes: Sequence[Axis],
-    taken: set[str],
-    *,
-    verb: str = "",
-) -> Iterator[ValueOperator]:
-    """Return an operator for each outcome that is planned with, with names that are not taken yet.
-
-    A name begins with the verb, or else with what the outcome does.
-    """
-    for outcome in outcomes_of(rows, axes):
-        if is_worth(outcome, len(rows)):
-            plain = f"{verb or name_of(outcome, axes)}-{primitive.label}-{category.name}"
-            names = (plain, *(f"{plain}-or-{letter}" for letter in "abcdefgh"))
-            name = next(one for one in names if one not in taken)
-            taken.add(name)
-            yield ValueOperator(
-                name, category.symbol, primitive.symbol, len(rows), outcome, primitive.variant
-            )
 
 
 # What is not said of axes is measured on the data

@@ -14,8 +14,8 @@ from neurosym.planners.planner import PlanStatus
 from neurosym.planners.registry import planner_named
 from neurosym.planners.unified_planning import validate_pddl
 from neurosym.tasks.transition import PlanStep
-from neurosym.values.domain import Cells, Step, ValueDomain
-from neurosym.values.outcomes import compile_values
+from neurosym.values.domain import Cells, Outcome, Step, ValueDomain
+from neurosym.values.outcomes import compile_values, name_of
 from neurosym.values.problem import FORMAT, Thing, ValueProblem, ValueTask, known_to
 from neurosym.values.value_execution import execute_values
 from neurosym.values.value_page import value_page, value_problem, written
@@ -271,3 +271,14 @@ def test_an_angle_begins_where_the_data_begin_so_that_the_network_is_asked_what_
     beside = [cells.centre(number) for number in cells.near((-0.6, 0.6))]
     assert beside == sorted(beside)
     assert cells.near((-0.6, 0.6)) == cells.near((2 * np.pi - 0.6, 2 * np.pi + 0.6))
+
+
+@pytest.mark.parametrize(
+    ("steps", "said"),
+    [((3, -11, 0), "raise-far"), ((0, -11, 0), "lower-deep"), ((0, -11, None), "set-open-no")],
+)
+def test_operators_are_named_after_what_not_all_of_them_do(steps, said):
+    *by, to = steps
+    told = (*(Step(one) for one in by), Step() if to == 0 else Step(to=0))
+    axes = (Axis("far", cell=1.0), Axis("deep", cell=1.0), Axis("open", "flag"))
+    assert name_of(Outcome(told, 9, 0.9), axes, (0.0, -11.0, 0.0)) == said
