@@ -31,8 +31,9 @@ def show_training(path: Path, data: Path) -> None:
     Raises:
         InvalidFile: If one of them cannot be read.
     """
-    report = read_json(path, TrainingReport)
-    show_table(f"mean absolute error, {report.held_out} held-out interactions", *error_table(report))
+    report, found = read_json(path, TrainingReport), Interactions.load(data)
+    errors = error_table(report, [axis["name"] for axis in found.origin.get("axes", ())])
+    show_table(f"mean absolute error, {report.held_out} held-out interactions", *errors)
     is_none = report.share is None or report.r2_through_codes <= 0
     said = "no better than the mean effect, so there is nothing to share"
     say(
@@ -43,7 +44,7 @@ def show_training(path: Path, data: Path) -> None:
     say(f"symbols used in the held-out interactions: {used}")
     if empty := empty_codes(report):
         say(empty)
-    show_verdict(judge_training(report, Interactions.load(data)))
+    show_verdict(judge_training(report, found))
 
 
 def show_verdict(verdict: Verdict) -> None:

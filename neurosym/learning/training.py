@@ -3,7 +3,7 @@
 The report sets the model's error beside what predictors that look at nothing achieve.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import msgspec
@@ -69,10 +69,10 @@ def empty_codes(report: TrainingReport) -> str:
     return f"codes that stay empty, since no row of the data has them: {', '.join(listed)}" if listed else ""
 
 
-def error_table(report: TrainingReport) -> tuple[list[str], list[list[str]]]:
-    """Return headings and rows of the errors of each predictor, in mm if the axes are x, y and z."""
-    names = name_axes(max(map(len, report.mae.values()), default=3))
-    scale, form, unit = (1000, ".1f", " [mm]") if len(names) == 3 else (1, ".3g", "")
+def error_table(report: TrainingReport, named: Sequence[str] = ()) -> tuple[list[str], list[list[str]]]:
+    """Return headings and rows of the errors of each predictor, in mm if the axes are x, y and z of ours."""
+    names = named or name_axes(max(map(len, report.mae.values()), default=3))
+    scale, form, unit = (1000, ".1f", " [mm]") if len(names) == 3 and not named else (1, ".3g", "")
     rows = [[name, *(format(scale * error, form) for error in errors)] for name, errors in report.mae.items()]
     return ["predictor", *(f"{axis}{unit}" for axis in names)], rows
 

@@ -261,8 +261,8 @@ def _completed(
     tolerance = axis.tolerance or max(cell * 2 / 3, 2 * spread)
     if axis.period is not None:
         cell = max(cell, axis.period / _MOST) if axis.cell is None else cell
-        low = None if by is None else math.floor(before.min() / cell + 1e-6) * cell or None
-        return _filled(axis, cell, low, None, tolerance)
+        first = 0.0 if by is None else math.floor(before.min() / cell + 1e-6) * cell
+        return _filled(axis, cell, first or None, None, tolerance)
     if by is None:
         reach = _WIDE * float(np.abs(every).max()) or 1.0
         low, high = -reach, reach

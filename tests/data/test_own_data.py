@@ -84,6 +84,7 @@ def test_a_csv_of_a_room_becomes_a_plan_in_six_commands(tmp_path, monkeypatch, c
     Path("room.csv").write_text("\n".join(lines))
     type_commands("room")
     said = capsys.readouterr().out
+    assert "predictor        temperature  door" in said
     assert "verdict: good" in said.split("axes; world.toml")[1]
     assert neurosym("validate", "room", "task-01", "room/plans/task-01.fast-downward.plan") == 0
     assert "valid" in capsys.readouterr().out
