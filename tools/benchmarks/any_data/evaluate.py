@@ -1,0 +1,203 @@
+"""Take six data sets from rows to plans that are performed, into docs/results/any-data.json and any-data.md.
+
+Finished parts are kept and not measured again, so that the run can be interrupted.
+"""
+
+import sys
+from collections.abc import Mapping, Sequence
+from functools import partial
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Annotated, Any
+
+from tyro.conf import arg
+
+from tools.benchmarks.any_data import way
+from tools.benchmarks.any_data.sets import SETS
+from tools.benchmarks.jobs import Evaluation, Jobs, machine
+from tools.benchmarks.options import RESULTS, Results, Work, begin
+from tools.benchmarks.tables import document, listed, mean_of, number, over_seeds, table, tally
+
+DISCS = {"discs": (), "discs-quick": ("--regime", "quick")}  # what is typed after `train`, by name
+_HOWS = ("blind", "replanned")
+
+
+def jobs_of(work: Path, deepsym: Path | None) -> tuple[Jobs, list[str]]:
+    """List what is measured, by name, and say what is missing for the rest."""
+    found, missing = Jobs(), list[str]()
+    for name, one in SETS.items():
+        given = None if one.world else (deepsym or Path()) / name / "interactions.npz"
+        if given and not (deepsym and given.is_file()):
+            missing.append(f"{name}: name the folder that holds {name}/interactions.npz by --deepsym")
+        elif name == "pushing" and not find_spec("panda_gym"):
+            missing.append(f"{name}: needs panda-gym (pip install --no-deps panda-gym)")
+        else:
+            for seed in one.seeds:
+                job = f"{name}-{seed}"
+                found[job] = partial(way.measured, name, work / "domains" / job, seed, given)
+    for name, options in DISCS.items():
+        for seed in (1, 2, 3):
+            job = f"{name}-{seed}"
+            found[job] = partial(way.discs, work / "domains" / job, seed, *options)
+    return found, missing
+
+
+def summary(found: Mapping[str, Any]) -> dict[str, Any]:
+    """Sum up what was found, by data set."""
+    told = dict[str, Any]()
+    for name in (*SETS, DISCS):
+        runs = {job: run for job, run in sorted(found.items()) if job.rpartition("-")[0] == name}
+        if runs:
+            told[name] = summed(runs) if name in SETS else of_discs([*runs.values()])
+    return told
+
+
+def summed(runs: Mapping[str, Any]) -> dict[str, Any]:
+    """Sum up the runs of one data set over the seeds of training; shares are of all tasks of all seeds."""
+    each = [*runs.values()]
+    tasks = [task for run in each for task in run["tasks"]]
+    found: dict[str, Any] = {
+        "seeds": [int(job.rpartition("-")[2]) for job in runs],
+        "rows": each[0]["rows"],
+        **{key: mean_of(run[key] for run in each) for key in ("r2_bits", "r2_direct", "r2_trivial")},
+        "r2_bits_by_seed": [run["r2_bits"] for run in each],
+        "error": [run["mae"]["model"] / run["mae"]["always zero"] for run in each],
+        **{key: [run[key] for run in each] for key in ("operators", "judged", "kept")},
+        "tasks": len(tasks),
+        "planned": sum(task["valid"] for task in tasks),
+        "not_planned": tally(task["reason"] for task in tasks if not task["valid"]),
+    }
+    if any("blind" in task for task in tasks):
+        ran = [task for task in tasks if "blind" in task]
+        for how in _HOWS:
+            found[f"executed_{how}"] = sum(task[how]["reached"] for task in ran)
+        found["executed"] = found["executed_replanned"]
+        found["steps"] = sum(task["replanned"]["steps"] for task in ran)
+        found["steps_as_promised"] = sum(task["replanned"]["as_promised"] for task in ran)
+        missed = (task["replanned"]["reason"] for task in ran if not task["replanned"]["reached"])
+        found["missed"] = tally(reason.split(" = ")[0].split(";")[0] for reason in missed)
+    return found
+
+
+def of_discs(runs: Sequence[Any]) -> dict[str, Any]:
+    """Sum up the runs with discs over the seeds of training."""
+    kept = {key: [run[key] for run in runs] for key in ("r2_bits", "pairs", "pairs_kept", "judged", "kept")}
+    return {"error": [run["mae"]["model"] / run["mae"]["always zero"] for run in runs], **kept}
+
+
+def page(told: Mapping[str, Any], missing: Sequence[str], versions: Mapping[str, str]) -> str:
+    """Write the page."""
+    sets = {name: one for name, one in told.items() if name in SETS}
+    return document(
+        "# Data of any kind, from rows to plans that are performed",
+        "By `make evaluate-any-data`, which wrote this page and `any-data.json`. Each data set goes the "
+        "whole way by the commands of [data of your own](../data.md): `init --data`, `train`, `distill`, "
+        "`compile-domain`, and for each task `new-problem`, `plan`, `validate` and `execute`. "
+        f"Machine: {listed(versions)}.",
+        table(
+            "data set | what it is | rows | bits of things, of actions",
+            [
+                [name, SETS[name].about, f"{one['rows']:,}", "{}, {}".format(*SETS[name].bits)]
+                for name, one in sets.items()
+            ],
+        ),
+        "## Symbols",
+        "R2 of effects on held-out rows, the mean over axes: through the bits, by a network without bits, "
+        "and by the best predictor that looks at nothing. Operators are those of the domain; as the verdict "
+        "of `compile-domain` has it, the likeliest outcome of a symbol on a category keeps its promise where "
+        "it came in half of five rows or more. Figures of several seeds of training stand side by side.",
+        table(
+            "data set | through the bits | without bits | trivial | operators | keep their promise",
+            [
+                [
+                    name,
+                    over_seeds(one["r2_bits_by_seed"], "{:.2f}", 2),
+                    number(one["r2_direct"]),
+                    number(one["r2_trivial"]),
+                    _beside(one["operators"]),
+                    ", ".join(f"{n} of {of}" for n, of in zip(one["kept"], one["judged"], strict=True)),
+                ]
+                for name, one in sets.items()
+            ],
+        ),
+        "## Tasks",
+        f"Ten for each data set and seed of training; {way.PLANNER} plans. Starts that are not fixed are "
+        f"drawn with seed {way.TASKS_SEED}. A plan counts if unified-planning's validator says "
+        "that it is one. It is performed blindly (`--replans 0`), and with new plans where it would miss.",
+        table(
+            "data set | tasks | valid plans | reached blindly | reached with new plans | steps as promised",
+            [
+                [
+                    name,
+                    str(one["tasks"]),
+                    str(one["planned"]),
+                    *(str(one.get(f"executed_{how}", "no world")) for how in _HOWS),
+                    f"{one['steps_as_promised']} of {one['steps']}" if "steps" in one else "-",
+                ]
+                for name, one in sets.items()
+            ],
+        ),
+        "## What did not come out",
+        table(
+            "data set | no plan, since | not reached with new plans, since",
+            [
+                [name, *("; ".join(_times(one.get(key, {}))) or "-" for key in ("not_planned", "missed"))]
+                for name, one in sets.items()
+            ],
+        ),
+        *([f"Not measured here: {'; '.join(missing)}."] if missing else []),
+        "## The discs of the guide",
+        "The script and the commands of [data of your own](../data.md#the-same-with-numpy), over seeds of "
+        "training. Errors are summed over both axes. What each symbol does to each category counts as kept "
+        "if it mostly turns out in one way, standing still included.",
+        table(
+            "training | errors, as a share of those of always zero | keep their promise | of these move",
+            [
+                [
+                    " ".join(("train", *options)),
+                    _beside(f"{100 * share:.0f} %" for share in told[name]["error"]),
+                    _beside(map("{} of {}".format, told[name]["pairs_kept"], told[name]["pairs"])),
+                    _beside(map("{} of {}".format, told[name]["kept"], told[name]["judged"])),
+                ]
+                for name, options in DISCS.items()
+                if name in told
+            ],
+        ),
+    )  # fmt: skip
+
+
+def _beside(values: Any) -> str:
+    return ", ".join(map(str, values))
+
+
+def _times(reasons: Mapping[str, int]) -> list[str]:
+    return [f"{reason} ({count})" for reason, count in reasons.items()]
+
+
+def main(
+    deepsym: Annotated[
+        Path | None,
+        arg(help="Folder with deepsym-push/interactions.npz and deepsym-pairs/interactions.npz."),
+    ] = None,
+    work: Work = Path("evaluation/any-data"),
+    results: Results = RESULTS,
+) -> None:
+    """Measure data set after data set, and write the results."""
+    evaluation = Evaluation("any-data", work, results)
+    jobs, missing = jobs_of(work.resolve(), deepsym and deepsym.resolve())
+    done = evaluation.found()
+    missing = [said for said in missing if f"{said.partition(':')[0]}-1" not in done]
+    for said in missing:
+        print(said, file=sys.stderr)
+    versions = machine("torch", "gymnasium", "panda-gym", "up-fast-downward")
+
+    def write() -> None:
+        told = summary(evaluation.found())
+        evaluation.write(told, page(told, missing, versions))
+
+    evaluation.perform(jobs, "data sets", write, fresh=True)
+    write()
+
+
+if __name__ == "__main__":
+    begin(main)
