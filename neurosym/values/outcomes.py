@@ -76,13 +76,14 @@ def compile_values(
         for key, found in groups.items()
     }
     steps = [one.steps for found in outcomes.values() for one in found]
-    usual = [float(np.median([step.by for step in along])) for along in zip(*steps, strict=True)]
+    along = [[step.by for step in one] for one in zip(*steps, strict=True)]
+    drifts = [int(np.clip(0, min(one), max(one))) for one in along]
     operators = dict[str, ValueOperator]()
     for primitive in table.primitives:
         for category in table.categories:
             key = primitive.label, category.symbol
             for outcome in outcomes.get(key, ()):
-                plain = f"{name_of(outcome, axes, usual)}-{primitive.label}-{category.name}"
+                plain = f"{name_of(outcome, axes, drifts)}-{primitive.label}-{category.name}"
                 others = (f"{plain}-or-{letter}" for letter in "abcdefgh")
                 named = next(one for one in (plain, *others) if one not in operators)
                 operators[named] = ValueOperator(
@@ -196,14 +197,14 @@ def is_worth(outcome: Outcome, trials: int) -> bool:
     return enough and not all(step.stays for step in outcome.steps)
 
 
-def name_of(outcome: Outcome, axes: Sequence[Axis], usual: Sequence[float]) -> str:
-    """Say in a word or two what an outcome does most of, beside what is usual: `raise-angle`, `set-open-yes`.
+def name_of(outcome: Outcome, axes: Sequence[Axis], drifts: Sequence[int]) -> str:
+    """Say in a word or two what an outcome does most of: `raise-angle`, `set-open-yes`.
 
-    What all outcomes do alike, as to sink a little, tells none from another.
+    What all outcomes do at least, as to sink by a cell, tells none from another: a drift.
     """
     far = [
-        (not one.stays, one.to is not None, abs(one.by - often), abs(one.by))
-        for one, often in zip(outcome.steps, usual, strict=True)
+        (not one.stays, one.to is not None, abs(one.by - drift))
+        for one, drift in zip(outcome.steps, drifts, strict=True)
     ]
     number = max(range(len(far)), key=lambda number: far[number])
     step, axis = outcome.steps[number], axes[number]
@@ -220,6 +221,7 @@ _FINE = 8
 _WIDE = 6.0
 """How many of the largest changes bounds are apart, where nothing shows what values there are."""
 _MOST = 60  # cells of an axis, unless its user says how large they are
+_MOST_HIDDEN = 120  # the same where no feature shows it, so that no state of a thing is in one of these
 
 
 def completed(
@@ -268,8 +270,9 @@ def _completed(
         low, high = -reach, reach
     else:
         low, high = float(known.min()), float(known.max())
-    if axis.cell is None and (high - low) / cell > _MOST:
-        cell = round_down((high - low) / _MOST * 2)
+    most = _MOST_HIDDEN if by is None else _MOST
+    if axis.cell is None and (high - low) / cell > most:
+        cell = round_down((high - low) / most * 2)
         tolerance = axis.tolerance or max(tolerance, cell * 2 / 3)
     low, high = math.floor(low / cell + 1e-6) * cell, math.ceil(high / cell - 1e-6) * cell
     return _filled(axis, cell, low, max(high, low + cell), tolerance)

@@ -15,7 +15,7 @@ from neurosym.planners.registry import planner_named
 from neurosym.planners.unified_planning import validate_pddl
 from neurosym.tasks.transition import PlanStep
 from neurosym.values.domain import Cells, Outcome, Step, ValueDomain
-from neurosym.values.outcomes import compile_values, name_of
+from neurosym.values.outcomes import Rows, compile_values, completed, name_of
 from neurosym.values.problem import FORMAT, Thing, ValueProblem, ValueTask, known_to
 from neurosym.values.value_execution import execute_values
 from neurosym.values.value_page import value_page, value_problem, written
@@ -281,4 +281,15 @@ def test_operators_are_named_after_what_not_all_of_them_do(steps, said):
     *by, to = steps
     told = (*(Step(one) for one in by), Step() if to == 0 else Step(to=0))
     axes = (Axis("far", cell=1.0), Axis("deep", cell=1.0), Axis("open", "flag"))
-    assert name_of(Outcome(told, 9, 0.9), axes, (0.0, -11.0, 0.0)) == said
+    assert name_of(Outcome(told, 9, 0.9), axes, (0, -11, 0)) == said
+
+
+def test_an_axis_that_no_feature_shows_has_finer_cells_as_no_state_is_in_one_of_them():
+    rng = np.random.default_rng(0)
+    moved = [change + rng.normal(0, 1e-3, (40, 1)) for change in (0.3, -0.5)]
+    start, hidden = np.linspace(-3, 3, 40)[:, None], np.full((40, 1), np.nan)
+    sizes = [
+        completed([Axis("x")], [Rows(before, one) for one in moved], shown=[by])[0].cell
+        for before, by in ((start, 0), (hidden, None))
+    ]
+    assert sizes == [0.2, 0.1]
