@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-budget evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-planners evaluate-foreign evaluate-scale evaluate-studio faults tutorial architecture pictures films docs clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-budget evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-planners evaluate-foreign evaluate-scale evaluate-any-data evaluate-studio faults tutorial architecture pictures films docs clean
 
 install: $(VENV)/.installed
 
@@ -85,6 +85,13 @@ evaluate-relations: install
 # How far it goes (rows, symbols, objects), into docs/results/scale.*; goes on where it was interrupted.
 evaluate-scale: install
 	$(BIN)/python -m tools.benchmarks.scale.evaluate
+
+# Six data sets of any kind from rows to plans that are performed, into docs/results/any-data.*; goes on where it was
+# interrupted. DEEPSYM is a folder with public data of another group, which are not part of the project.
+DEEPSYM ?=
+evaluate-any-data: install
+	$(BIN)/pip install --quiet --no-deps panda-gym
+	$(BIN)/python -m tools.benchmarks.any_data.evaluate $(if $(DEEPSYM),--deepsym $(DEEPSYM))
 
 # Kills, full disks, two at once and low limits, into docs/results/faults.*; goes on where it was
 # interrupted. KILLS=5 for a glance.

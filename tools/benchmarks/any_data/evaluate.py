@@ -14,7 +14,7 @@ from tyro.conf import arg
 
 from tools.benchmarks.any_data import way
 from tools.benchmarks.any_data.sets import SETS
-from tools.benchmarks.jobs import Evaluation, Jobs, machine
+from tools.benchmarks.jobs import Evaluation, Job, Jobs, machine
 from tools.benchmarks.options import RESULTS, Results, Work, begin
 from tools.benchmarks.tables import document, listed, mean_of, number, over_seeds, table, tally
 
@@ -24,7 +24,7 @@ _HOWS = ("blind", "replanned")
 
 def jobs_of(work: Path, deepsym: Path | None) -> tuple[Jobs, list[str]]:
     """List what is measured, by name, and say what is missing for the rest."""
-    found, missing = Jobs(), list[str]()
+    known, missing = list[tuple[int, str, Job]](), list[str]()
     for name, one in SETS.items():
         given = None if one.world else (deepsym or Path()) / name / "interactions.npz"
         if given and not (deepsym and given.is_file()):
@@ -33,13 +33,14 @@ def jobs_of(work: Path, deepsym: Path | None) -> tuple[Jobs, list[str]]:
             missing.append(f"{name}: needs panda-gym (pip install --no-deps panda-gym)")
         else:
             for seed in one.seeds:
-                job = f"{name}-{seed}"
-                found[job] = partial(way.measured, name, work / "domains" / job, seed, given)
+                job = partial(way.measured, name, work / "domains" / f"{name}-{seed}", seed, given)
+                known.append((seed, name, job))
     for name, options in DISCS.items():
         for seed in (1, 2, 3):
-            job = f"{name}-{seed}"
-            found[job] = partial(way.discs, work / "domains" / job, seed, *options)
-    return found, missing
+            folder = work / "domains" / f"{name}-{seed}"
+            known.append((seed, name, partial(way.discs, folder, seed, *options)))
+    in_turn = sorted(known, key=lambda one: one[0])
+    return {f"{name}-{seed}": job for seed, name, job in in_turn}, missing
 
 
 def summary(found: Mapping[str, Any]) -> dict[str, Any]:
@@ -85,19 +86,25 @@ def of_discs(runs: Sequence[Any]) -> dict[str, Any]:
     return {"error": [run["mae"]["model"] / run["mae"]["always zero"] for run in runs], **kept}
 
 
-def page(told: Mapping[str, Any], missing: Sequence[str], versions: Mapping[str, str]) -> str:
+def page(told: Mapping[str, Any]) -> str:
     """Write the page."""
-    sets = {name: one for name, one in told.items() if name in SETS}
+    missing, sets = told["missing"], {name: one for name, one in told.items() if name in SETS}
     return document(
         "# Data of any kind, from rows to plans that are performed",
         "By `make evaluate-any-data`, which wrote this page and `any-data.json`. Each data set goes the "
         "whole way by the commands of [data of your own](../data.md): `init --data`, `train`, `distill`, "
         "`compile-domain`, and for each task `new-problem`, `plan`, `validate` and `execute`. "
-        f"Machine: {listed(versions)}.",
+        f"Machine: {listed(told['machine'])}.",
         table(
-            "data set | what it is | rows | bits of things, of actions",
+            "data set | what it is | rows | bits of things, of actions | seeds of training",
             [
-                [name, SETS[name].about, f"{one['rows']:,}", "{}, {}".format(*SETS[name].bits)]
+                [
+                    name,
+                    SETS[name].about,
+                    f"{one['rows']:,}",
+                    "{}, {}".format(*SETS[name].bits),
+                    _beside(one["seeds"]),
+                ]
                 for name, one in sets.items()
             ],
         ),
@@ -189,11 +196,11 @@ def main(
     missing = [said for said in missing if f"{said.partition(':')[0]}-1" not in done]
     for said in missing:
         print(said, file=sys.stderr)
-    versions = machine("torch", "gymnasium", "panda-gym", "up-fast-downward")
+    besides = {"missing": missing, "machine": machine("torch", "gymnasium", "panda-gym", "up-fast-downward")}
 
     def write() -> None:
-        told = summary(evaluation.found())
-        evaluation.write(told, page(told, missing, versions))
+        told = summary(evaluation.found()) | besides
+        evaluation.write(told, page(told))
 
     evaluation.perform(jobs, "data sets", write, fresh=True)
     write()

@@ -81,6 +81,11 @@ def of_deepsym(
     return DataSet(about, columns=columns, **others)
 
 
+def around(value: float, within: float) -> tuple[float, float]:
+    """Return bounds that are as far on either side."""
+    return round(value - within, 4), round(value + within, 4)
+
+
 PUSH = ("obj1", "obj2", "obj3", "obj4", "obj5", "scale")
 PAIRS = ("cube", "cylinder", "cylinderside", "hollow", "sphere", "size")
 UP = (-0.5, 0.5)  # an angle that is upright enough [rad]
@@ -120,9 +125,9 @@ SETS = {
     "pushing": of_world(
         "pushing", "Pushing", "panda-gym's pushing environment, a push from a side",
         ({"name": "x", "unit": "m"}, {"name": "y", "unit": "m"}),
-        bits=(2, 3), rows=1200,
+        bits=(2, 3), rows=600,
         tasks=tuple(
-            (None, {"x": (x - 0.025, x + 0.025), "y": (y - 0.025, y + 0.025)})
+            (None, {"x": around(x, 0.025), "y": around(y, 0.025)})
             for x, y in (
                 (0.0, 0.0), (0.1, 0.1), (-0.1, 0.1), (-0.1, -0.1), (0.1, -0.1),
                 (0.0, 0.12), (0.0, -0.12), (0.12, 0.0), (-0.12, 0.0), (0.05, 0.05),
@@ -163,7 +168,7 @@ def tasks_of(one: DataSet, data: Interactions, seed: int) -> list[Task]:
         same = np.flatnonzero((data.features == thing).all(axis=1))
         sums = data.effects[rng.choice(same, 2)].sum(axis=0)
         goals = {
-            name: (round(float(sums[n]) - one.within[name], 4), round(float(sums[n]) + one.within[name], 4))
+            name: around(float(sums[n]), one.within[name])
             for n, name in enumerate(names)
             if name in one.within
         }
