@@ -91,15 +91,16 @@ class Cells:
         return round(self.axis.apart(change, 0.0) / self.size)
 
     def near(self, goal: float | tuple[float, float]) -> tuple[int, ...]:
-        """Return the cells that meet a goal: a value, within the tolerance, or bounds."""
+        """Return the cells that meet a goal: a value, within the tolerance, or bounds.
+
+        Between bounds lie cells that are whole in them, or else those of which the middle is.
+        """
         tolerance = self.axis.tolerance or 0.0
         if isinstance(goal, tuple):
-            least, most, round_it = goal[0] - 1e-9, goal[1] + 1e-9, self.axis.period or 0.0
-            found = [
-                n
-                for n in range(self.count)
-                if any(least <= self.centre(n) + turn * round_it <= most for turn in (-1, 0, 1))
-            ]
+            middle, room = (goal[0] + goal[1]) / 2, (goal[1] - goal[0]) / 2 + 1e-9
+            off = [abs(self.axis.apart(self.centre(n), middle)) for n in range(self.count)]
+            whole = [n for n in range(self.count) if off[n] + self.size / 2 <= room]
+            found = whole or [n for n in range(self.count) if off[n] <= room]
         else:
             off = [abs(self.axis.apart(self.centre(n), goal)) for n in range(self.count)]
             found = [n for n in range(self.count) if off[n] <= max(tolerance, min(off)) + 1e-9]

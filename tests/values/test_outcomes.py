@@ -268,8 +268,6 @@ def test_an_angle_begins_where_the_data_begin_so_that_the_network_is_asked_what_
     (cells,) = found.cells
     assert angle.min() - cells.size <= shown.min() < shown.max() <= angle.max() + cells.size
     assert {cells.index(value) for value in (3.1, 3.1 - 2 * np.pi)} == {cells.index(3.1)}
-    beside = [cells.centre(number) for number in cells.near((-0.6, 0.6))]
-    assert beside == sorted(beside)
     assert cells.near((-0.6, 0.6)) == cells.near((2 * np.pi - 0.6, 2 * np.pi + 0.6))
 
 
@@ -293,3 +291,11 @@ def test_an_axis_that_no_feature_shows_has_finer_cells_as_no_state_is_in_one_of_
         for before, by in ((start, 0), (hidden, None))
     ]
     assert sizes == [0.2, 0.1]
+
+
+def test_what_is_in_a_cell_that_meets_bounds_is_between_them_if_there_is_room_for_cells():
+    cells = Cells(Axis("level", cell=1.0, low=0.0, high=10.0))
+    assert cells.near((2.0, 5.0)) == (3, 4)
+    assert cells.near((2.8, 3.4)) == (3,)
+    with pytest.raises(InvalidValue, match="meets the goal"):
+        cells.near((2.1, 2.9))

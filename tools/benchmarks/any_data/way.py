@@ -95,13 +95,26 @@ def tried(folder: Path, name: str, task: Task, replans: int | None) -> Found:
     if code:
         return found
     found["valid"] = neurosym("validate", folder, name, plan_file) == 0
+    domain = ValueDomain.load(folder / layout.GROUNDING)
     for how, many in (("blind", 0), ("replanned", replans)) if replans is not None else ():
         reached = neurosym("execute", folder, name, plan_file, "--replans", many) == 0
         run = json.loads((folder / layout.run_file(name, plan_file)).read_text())
         kept = {"steps": len(run["steps"]), "replans": run["replans"], "reason": run["reason"]}
         kept["as_promised"] = sum(step["as_promised"] for step in run["steps"])
+        last = run["steps"][-1]["happened"] if run["steps"] else ()
+        kept["exactly"] = all(
+            is_met(goals[axis.name], value, axis.period or 0.0)
+            for axis, value in zip(domain.axes, last, strict=False)
+            if axis.name in goals
+        )
         found[how] = {"reached": reached, **kept}
     return found
+
+
+def is_met(goal: float | tuple[float, float], value: float, turn: float) -> bool:
+    """Say whether a value itself meets a goal, and not only its cell; an angle may be a turn away."""
+    low, high = goal if isinstance(goal, tuple) else (goal, goal)
+    return any(low - 1e-6 <= value + times * turn <= high + 1e-6 for times in (-1, 0, 1))
 
 
 def measured(name: str, folder: Path, seed: int, given: Path | None = None, *options: object) -> Found:
