@@ -31,7 +31,6 @@ class DataSet:
         seeds: The seeds of training.
         world: `module:factory` of its world; empty if there is none.
         rows: How many interactions are made in the world.
-        replans: How many new plans are allowed, where a plan is not performed blindly.
     """
 
     about: str
@@ -42,7 +41,6 @@ class DataSet:
     seeds: tuple[int, ...] = (1, 2, 3)
     world: str = ""
     rows: int = 0
-    replans: int = 40
 
     @property
     def module(self) -> Any:

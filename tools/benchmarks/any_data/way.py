@@ -25,6 +25,7 @@ from tools.benchmarks.any_data.sets import SETS, DataSet, Task, tasks_of, write_
 from tools.benchmarks.options import ROOT
 
 PLANNER = "fast-downward"
+REPLANS = 40  # so many new plans are allowed, where a plan is not performed blindly
 TASKS_SEED = 2026  # what starts are drawn with
 _ROWS_SEED = 7000  # what rows are drawn with, by the seed of training
 Found = dict[str, Any]
@@ -124,7 +125,7 @@ def measured(name: str, folder: Path, seed: int, given: Path | None = None, *opt
     report = read_json(folder / layout.TRAINING, TrainingReport)
     data = Interactions.load(folder / layout.INTERACTIONS)
     tasks = tasks_of(one, data, TASKS_SEED)
-    many = one.replans if one.world else None
+    many = REPLANS if one.world else None
     return {
         **told(report),
         "r2_trivial": trivial(data, seed),
