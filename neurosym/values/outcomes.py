@@ -221,7 +221,7 @@ _FINE = 8
 _WIDE = 6.0
 """How many of the largest changes bounds are apart, where nothing shows what values there are."""
 _MOST = 60  # cells of an axis, unless its user says how large they are
-_MOST_HIDDEN = 120  # the same where no feature shows it, so that no state of a thing is in one of these
+_MOST_HIDDEN = 300  # the same where no feature shows it, so that no state of a thing is in one of these
 
 
 def completed(
@@ -230,7 +230,8 @@ def completed(
     """Fill in what is not said of axes from what each action did to each category.
 
     Cells are as large as outcomes scatter, or as the least of sure changes. Bounds hold all values that were
-    seen. What comes within two thirds of a cell and twice what is usual counts as promised.
+    seen. What comes within two thirds of a cell and twice what is usual counts as promised; where no feature
+    shows an axis and cells are finer, within a quarter of a usual change.
     """
     return tuple(
         _completed(axis, [rows.before[:, n] for rows in groups], [rows.effects[:, n] for rows in groups], by)
@@ -267,7 +268,7 @@ def _completed(
         return _filled(axis, cell, first or None, None, tolerance)
     if by is None:
         reach = _WIDE * float(np.abs(every).max()) or 1.0
-        low, high = -reach, reach
+        low, high, tolerance = -reach, reach, max(tolerance, 2 * usual / _FINE)
     else:
         low, high = float(known.min()), float(known.max())
     most = _MOST_HIDDEN if by is None else _MOST

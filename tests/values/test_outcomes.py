@@ -290,7 +290,7 @@ def test_an_axis_that_no_feature_shows_has_finer_cells_as_no_state_is_in_one_of_
         completed([Axis("x")], [Rows(before, one) for one in moved], shown=[by])[0].cell
         for before, by in ((start, 0), (hidden, None))
     ]
-    assert sizes == [0.2, 0.1]
+    assert sizes == [0.2, 0.025]
 
 
 def test_what_is_in_a_cell_that_meets_bounds_is_between_them_if_there_is_room_for_cells():

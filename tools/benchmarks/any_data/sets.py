@@ -152,7 +152,7 @@ def tasks_of(one: DataSet, data: Interactions, seed: int) -> list[Task]:
 
     Where there is none, a thing is drawn from the rows, and its goal is what two of its rows add up to.
     """
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(seed if one.world else [seed, len(data)])
     if one.world:
         world = one.make()
         drawn = [world.reset(rng) for _ in one.tasks]
