@@ -30,8 +30,8 @@ LAYERS = {
     "execution": "tasks pddl planners",
     "pictures": "worlds data primitives tasks pddl execution",
     "stages": "worlds data learning exploration primitives tasks pddl planners execution pictures values",
-    "evaluation": "worlds data learning primitives tasks pddl planners execution stages",
-    "report": "worlds data learning tasks pddl execution pictures stages evaluation",
+    "evaluation": "worlds data learning primitives tasks pddl planners values execution stages",
+    "report": "worlds data learning tasks pddl values execution pictures stages evaluation",
     "studio": "worlds data learning tasks pddl planners execution pictures stages report",
     "commands": "worlds data learning tasks pddl planners values execution pictures stages evaluation report "
     "studio",

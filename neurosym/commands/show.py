@@ -18,6 +18,7 @@ from neurosym.commands.arguments import (
     answer_in,
     check_file,
     opened,
+    refuse_options,
 )
 from neurosym.errors import InvalidValue, counted, quoted
 from neurosym.files import check_writable, make_folder, write_atomically, write_json
@@ -189,13 +190,17 @@ def report(
     Pictures are made once, by performing primitives and runs again.
     """
     from neurosym.report.html_page import gather, render
+    from neurosym.report.value_report import gather_values
+    from neurosym.stages.value_stages import is_of_values
 
     domain = opened(folder)
     path = output or domain / PAGE
     check_file(path, "page", ".html")
-    with progress_bar("pictures") as advance:
-        page = gather(domain, advance, workers=workers)
-    text = render(page)
+    if is_of_values(domain):
+        text = render(gather_values(domain), "values.html")
+    else:
+        with progress_bar("pictures") as advance:
+            text = render(gather(domain, advance, workers=workers))
     write_atomically(path, text)
     say(f"wrote {path} ({len(text) / 1e6:.1f} MB)")
     say(f"next: open {path} in a browser")
@@ -251,10 +256,17 @@ def explain(
 
     It takes one screen. `--all`, `--symbol`, `--output` and `--json` tell more.
     """
-    from neurosym.commands.tables import explanation_page, show_explanation, show_screen
+    from neurosym.commands.tables import explanation_page, show_explanation, show_screen, show_values
     from neurosym.report.explanation import explain_folder
+    from neurosym.stages.value_stages import domain_of, is_of_values
 
     answer, domain = answer_in(json), opened(folder)
+    if is_of_values(domain):
+        refuse_options(output=output, symbol=symbol, all=all)
+        show_values(domain)
+        say_next(f"neurosym report {quoted(folder)}")
+        answer(domain_of(domain))
+        return 0
     check_file(output, "explanation", ".md")
     every, is_whole = explain_folder(domain), all or symbol is not None
     explanation = every if symbol is None else every.only(symbol)
@@ -302,7 +314,9 @@ def compare(
     """
     from neurosym.evaluation.comparison import Order, compare_tasks
     from neurosym.evaluation.summary import summarise
+    from neurosym.evaluation.value_comparison import compare_values, rows_of
     from neurosym.planners.registry import planner_named
+    from neurosym.stages.value_stages import is_of_values
     from neurosym.stages.verdicts import Tries, judge_tries
 
     answer, planners = answer_in(json), tuple(dict.fromkeys(planners))
@@ -311,6 +325,21 @@ def compare(
     for name in planners:
         planner_named(name, folder)
     domain = opened(folder)
+    if is_of_values(domain):
+        refuse_options(task=task, tolerance=None if tolerance == TOLERANCE else tolerance)
+        with progress_bar("comparing") as advance:
+            found = compare_values(
+                domain,
+                planners,
+                range(seed, seed + tasks),
+                things=objects,
+                time_limit=time_limit,
+                progress=advance,
+            )
+        title = f"{counted(tasks, 'task')} drawn from seed {seed}, to which three actions lead"
+        show_table("the same tasks to each planner", [title, *planners], rows_of(found))
+        answer(found)
+        return 0
     order = Order(domain.path, objects, planners, tolerance, time_limit, task)
     records = []
     with domain.claimed(Claim.SHARED), progress_bar("comparing") as advance:

@@ -345,7 +345,7 @@ def gather(folder: DomainFolder, progress: Progress, *, workers: int = 1) -> dic
     }
 
 
-def render(page: Mapping[str, Any]) -> str:
+def render(page: Mapping[str, Any], template: str = "page.html") -> str:
     """Write what was gathered as HTML; whatever comes from files is escaped."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -356,4 +356,4 @@ def render(page: Mapping[str, Any]) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    return environment.get_template("page.html").render(page=page)
+    return environment.get_template(template).render(page=page)

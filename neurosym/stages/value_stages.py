@@ -139,7 +139,7 @@ def value_problem_stage(
             given = read_json(scene, ValueProblem)
             problem = ValueProblem(FORMAT, name, given.things, given.goals, given.provenance)
         else:
-            problem = _drawn(folder, domain, name, things, actions, seed, goals)
+            problem = drawn_problem(folder, domain, name, things, actions, seed, goals)
         try:
             _put(folder, problem, domain)
         except (InvalidValue, UnknownChoice) as error:
@@ -154,7 +154,7 @@ def value_problem_stage(
     return Stage(f"new-problem {name}", inputs, outputs, work, options)
 
 
-def _drawn(
+def drawn_problem(
     folder: DomainFolder,
     domain: ValueDomain,
     name: str,
@@ -235,7 +235,7 @@ def plan_values_stage(
     def work() -> None:
         task = task_of(folder, name)
         limit = chosen.ceiling if time_limit is None else time_limit
-        predict = _prediction(folder) if chosen.reads == "network" else None
+        predict = prediction_of(folder) if chosen.reads == "network" else None
         result = plan_values(task, chosen, time_limit=limit, predict=predict)
         _write_plan(folder, task, chosen.name, result)
 
@@ -249,7 +249,7 @@ def plan_values_stage(
     return Stage(f"plan {name} {chosen.name}", inputs, outputs, work, options)
 
 
-def _prediction(folder: DomainFolder) -> Predict:
+def prediction_of(folder: DomainFolder) -> Predict:
     """Return what the network of a folder predicts through the symbols."""
     from neurosym.learning.network import EffectModel
 

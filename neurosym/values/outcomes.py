@@ -5,9 +5,10 @@ ways on one category, each that is seen often enough is an operator of its own.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from typing import Any
 
 import msgspec
@@ -22,6 +23,7 @@ from neurosym.operators import (
     MIN_TRIALS,
     Categorise,
     OperatorTable,
+    Primitive,
     name_axes,
     names_of_features,
 )
@@ -71,6 +73,27 @@ def compile_values(
         if len(found := rows[(objects == category.symbol) & (actions == primitive.symbol)])
     }
     axes = completed(given, [*groups.values()], shown=shown)
+    return ValueDomain(
+        format=FORMAT,
+        name=name,
+        features=names,
+        axes=tuple(axes),
+        categories=table.categories,
+        primitives=table.primitives,
+        operators=_operators(table, groups, axes, origin),
+    )
+
+
+def _operators(
+    table: OperatorTable,
+    groups: "Mapping[tuple[str, str], Rows]",
+    axes: Sequence[Axis],
+    origin: Mapping[str, Any],
+) -> tuple[ValueOperator, ...]:
+    """Return an operator for each outcome that is planned with, by its name.
+
+    A name begins with the choice that is made, or else with what the outcome does.
+    """
     outcomes = {
         key: [one for one in outcomes_of(found, axes) if is_worth(one, len(found))]
         for key, found in groups.items()
@@ -79,32 +102,19 @@ def compile_values(
     along = [[step.by for step in one] for one in zip(*steps, strict=True)]
     drifts = [int(np.clip(0, min(one), max(one))) for one in along]
     operators = dict[str, ValueOperator]()
-    for primitive in table.primitives:
-        for category in table.categories:
-            key = primitive.label, category.symbol
-            for outcome in outcomes.get(key, ()):
-                plain = f"{name_of(outcome, axes, drifts)}-{primitive.label}-{category.name}"
-                others = (f"{plain}-or-{letter}" for letter in "abcdefgh")
-                named = next(one for one in (plain, *others) if one not in operators)
-                operators[named] = ValueOperator(
-                    named,
-                    category.symbol,
-                    primitive.symbol,
-                    len(groups[key]),
-                    outcome,
-                    primitive.variant,
-                )
+    for primitive, category in product(table.primitives, table.categories):
+        key = primitive.label, category.symbol
+        for outcome in outcomes.get(key, ()):
+            verb = _chosen(primitive, origin) or name_of(outcome, axes, drifts)
+            plain = f"{verb}-{primitive.label}-{category.name}"
+            others = (f"{plain}-or-{letter}" for letter in "abcdefgh")
+            name, trials = next(one for one in (plain, *others) if one not in operators), len(groups[key])
+            operators[name] = ValueOperator(
+                name, category.symbol, primitive.symbol, trials, outcome, primitive.variant
+            )
     if not operators:
         raise InvalidValue("No action changes anything by more than half a cell, so nothing can be planned.")
-    return ValueDomain(
-        format=FORMAT,
-        name=name,
-        features=names,
-        axes=tuple(axes),
-        categories=table.categories,
-        primitives=table.primitives,
-        operators=tuple(operators[one] for one in sorted(operators)),
-    )
+    return tuple(operators[one] for one in sorted(operators))
 
 
 def _chosen(primitive: Primitive, origin: Mapping[str, Any]) -> str:

@@ -92,9 +92,17 @@ def test_a_csv_of_a_room_becomes_a_plan_in_six_commands(tmp_path, monkeypatch, c
         capsys, "execute", "room", "task-01", "room/plans/task-01.fast-downward.plan"
     )
     assert neurosym("explain", "room") == 0
-    for shown in (["show", "room", "--problem", "task-01"], ["report", "room"], ["compare", "room"]):
-        said = refusal(capsys, *shown)
-        assert "needs positions" in said or "no world with a table" in said, shown
+    assert "heat-" in capsys.readouterr().out
+    assert neurosym("report", "room") == 0
+    page = Path("room/report.html").read_text()
+    assert page.count("<circle") == 600
+    assert "door under 0.5" in page
+    assert neurosym("compare", "room", "--tasks", "4") == 0
+    assert re.search(r"valid by the rows of the data +\d+% +100%", capsys.readouterr().out)
+    assert "no world with a table" in refusal(capsys, "show", "room", "--problem", "task-01")
+    assert "there is no --task or --tolerance" in refusal(
+        capsys, "compare", "room", "--task", "swap", "--tolerance", "0.02"
+    )
     assert "exists already" in refusal(capsys, "init", "room", "--data", "room.csv")
     axes = Path("room/world.toml").read_text()
     Path("room/world.toml").write_text(axes.replace('"temperature"', '"temperature", cell = 2.0, unit = "C"'))

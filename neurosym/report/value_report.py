@@ -1,0 +1,103 @@
+"""The page about data of a user's own: which things have which symbol, and what each action does to them."""
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from neurosym.checks import Float
+from neurosym.data.category_names import traits_of
+from neurosym.data.interactions import Interactions
+from neurosym.files import read_json, read_text
+from neurosym.learning.training import TrainingReport, error_table
+from neurosym.stages import layout
+from neurosym.stages.folder import DomainFolder, versions
+from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.value_stages import domain_of, symbols_of
+from neurosym.values.domain import ValueDomain
+from neurosym.values.value_execution import ValueRun
+from neurosym.world import Palette
+
+_DOTS = 600  # rows of the data that are drawn
+_SEED = 7
+
+
+class _Dot(NamedTuple):
+    """A row of the data in a picture: where it lies, from 0 to 1, and the colour of its category."""
+
+    x: float
+    y: float
+    colour: str
+
+
+def gather_values(folder: DomainFolder) -> dict[str, Any]:
+    """Read what the template `values.html` shows, by name; what is missing is empty or None."""
+    domain, data = domain_of(folder), Interactions.load(folder.require(layout.INTERACTIONS))
+    symbols = symbols_of(folder).object_symbols(data.features)
+    seen, traits = Counter(symbols), traits_of(domain.categories, domain.features)
+    palette = Palette(symbol for symbol, _ in seen.most_common())
+    axes = _telling(domain)
+    is_trained = (folder / layout.TRAINING).is_file()
+    report = read_json(folder / layout.TRAINING, TrainingReport) if is_trained else None
+    names = [axis.name for axis in domain.axes]
+    return {
+        "name": folder.path.resolve().name,
+        "path": str(folder.path),
+        "rows": len(data),
+        "axes": [[cells.axis.name, cells.axis.kind, str(cells)] for cells in domain.cells],
+        "kinds": [
+            (
+                one,
+                palette.hex(one.symbol),
+                seen[one.symbol] / len(data),
+                ", ".join(map(str, traits[one.symbol])),
+            )
+            for one in sorted(domain.categories, key=lambda one: -seen[one.symbol])
+            if seen[one.symbol]
+        ],
+        "plotted": [domain.features[number] for number in axes],
+        "dots": [*_dots(data.features, symbols, axes, palette)],
+        "does": _does(domain),
+        "learned": report,
+        "errors": error_table(report, names) if report else None,
+        "plans": [read_json(path, PlanRecord) for path in sorted((folder / layout.PLANS).glob("*.json"))],
+        "runs": {
+            path.name.removesuffix(layout.RECORD): read_json(path, ValueRun)
+            for path in sorted((folder / layout.RUNS).glob(f"*{layout.RECORD}"))
+        },
+        "text": read_text(folder.require(layout.DOMAIN)),
+        "versions": versions(),
+    }
+
+
+def _telling(domain: ValueDomain) -> list[int]:
+    """Return the two features, or the one, by which the means of categories differ most."""
+    seen = [one for one in domain.categories if one.feature_means]
+    means, spreads = (
+        np.array([getattr(one, f"feature_{of}") for one in seen]) for of in ("means", "spreads")
+    )
+    apart = means.std(0) / np.maximum(spreads.mean(0), 1e-9) * (spreads.mean(0) > 0)
+    return [int(one) for one in np.sort(np.argsort(-apart, kind="stable")[:2])]
+
+
+def _dots(
+    features: Float[np.ndarray, "N F"], symbols: Sequence[str], axes: Sequence[int], palette: Palette
+) -> Iterator[_Dot]:
+    """Yield some rows; those of flags are strewn about a little, lest they lie upon each other."""
+    rng, chosen = np.random.default_rng(_SEED), features[:, [axes[0], axes[-1]]].astype(float)
+    low, room = chosen.min(0), np.maximum(np.ptp(chosen, axis=0), 1e-9)
+    strewn = np.array([len(np.unique(column)) < 12 for column in chosen.T]) * 0.08
+    for row in np.sort(rng.permutation(len(chosen))[:_DOTS]).tolist():
+        x, y = (chosen[row] - low) / room * (1 - strewn) + strewn * rng.uniform(size=2)
+        yield _Dot(round(float(x), 4), round(float(1 - y), 4), palette.hex(symbols[row]))
+
+
+def _does(domain: ValueDomain) -> dict[str, list[tuple[str, str, float, str]]]:
+    """List by the label of its action what each operator does to which category, and how often."""
+    does: dict[str, list[tuple[str, str, float, str]]] = {}
+    for one in domain.operators:
+        share = one.outcome.count / one.trials
+        told = domain.told(one), domain.category(one.category).name, share, one.name
+        does.setdefault(one.label, []).append(told)
+    return does
