@@ -18,8 +18,9 @@ from neurosym.learning.network import DirectModel, EffectModel
 from neurosym.learning.training_config import DirectConfig, ModelConfig
 from neurosym.operators import OperatorTable
 
-EXAMPLE, ROOM = python_blocks("data.md")
-"""The script that the document shows, and the world of a room."""
+EXAMPLE, PUSHER = python_blocks("data.md")
+"""The script that the document shows, and the world of its discs."""
+WORLD = re.findall(r"^```toml\n(world = .*?)```", (DOCS / "data.md").read_text(), re.MULTILINE | re.DOTALL)[0]
 COMMANDS = re.findall(r"^\$ neurosym (.*)$", (DOCS / "data.md").read_text(), re.MULTILINE)
 """What the document types after `neurosym`."""
 OTHER_GRIPPER = EffectModel(Dimensions(7, 5, 2, (1,)), ModelConfig(hidden=8))
@@ -32,6 +33,8 @@ def learned(tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(place)
         exec(EXAMPLE, {})
+        Path("pusher.py").write_text(PUSHER)
+        Path("discs/world.toml").write_text(WORLD)
         type_commands("discs")
     return place / "discs"
 
@@ -51,7 +54,9 @@ def discs(learned, tmp_path):
 
 
 def test_the_documents_example_is_learned_through_the_bits(learned):
-    assert len(EXAMPLE.splitlines()) <= 19
+    assert len([*EXAMPLE.splitlines(), *PUSHER.splitlines()]) < 40
+    run = json.loads((learned / "runs" / "task-01.fast-downward.run.json").read_text())
+    assert run["reached"]
     report = json.loads((learned / "training.json").read_text())
     assert report["r2_through_codes"] > 0.8
     assert len(report["mae"]["model"]) == 2
