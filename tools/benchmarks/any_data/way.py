@@ -87,7 +87,7 @@ def tried(folder: Path, name: str, task: Task, replans: int | None) -> Found:
     try:
         neurosym("new-problem", folder, "--scene", scene, "--name", name)
     except RuntimeError as error:
-        return {"status": "refused", "reason": str(error), "valid": False}
+        return {"status": "refused", "reason": str(error), "steps": 0, "valid": False}
     plan_file, record_file = (folder / path for path in layout.plan_files(name, PLANNER))
     code = neurosym("plan", folder, name, "--planner", PLANNER)
     record = json.loads(record_file.read_text())
