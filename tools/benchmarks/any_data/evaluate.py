@@ -24,11 +24,13 @@ WHY = (
     "**What an action is.** In the worlds it is a choice. The pendulum has its greatest torque to the left, "
     "none, or to the right, held for 4 steps of the environment (0.2 s). The cube is pushed from one of four "
     "sides, by about 3 or 9 cm, and lies square to the table before each push.",
-    "**Key and door.** The bits tell where a move leads, and hold the key and the door, as the operators say. "
-    "But the decoder says nothing of these two axes, and R2 is a mean over all four: few rows of a thousand "
-    "take the key or turn it, and likelihood (eq. 7) takes these for scatter. A domain is told from the rows.",
-    "**The pendulum.** A category is a range of angles and speeds, so an outcome scatters by more than a cell, "
-    "and is held to twice that. Ten steps add it up: blind plans miss, and new ones are needed all the time.",
+    "**Key and door.** The bits tell where a move leads, and hold the key and the door, as the "
+    "operators say. But the decoder says nothing of these two axes, and R2 is a mean over all four: "
+    "few rows of a thousand take the key or turn it, and likelihood (eq. 7) takes these for scatter. "
+    "A domain is told from the rows.",
+    "**The pendulum.** A category is a range of angles and speeds, so an outcome scatters by more "
+    "than a cell, and is held to twice that. Ten steps add it up: blind plans miss, and new ones are "
+    "needed all the time.",
 )
 
 
@@ -153,10 +155,11 @@ def page(told: Mapping[str, Any]) -> str:
         ),
         "## Tasks",
         "Ten for each data set and seed of training, without those that are met at the start. "
-        f"{way.PLANNER} plans. Starts that are not fixed are drawn with seed {way.TASKS_SEED}. A plan counts if "
-        "unified-planning's validator says that it is one. It is performed blindly (`--replans 0`), and with up "
-        f"to {way.REPLANS} new plans where it would miss. Cells say whether a goal is reached; *to the letter* "
-        "counts those of the latter whose values meet it, too.",
+        f"{way.PLANNER} plans. Starts that are not fixed are drawn with seed {way.TASKS_SEED}. A plan "
+        "counts if unified-planning's validator says that it is one. It is performed blindly "
+        f"(`--replans 0`), and with up to {way.REPLANS} new plans where it would miss. Cells say "
+        "whether a goal is reached; *to the letter* counts those of the latter whose values meet it, "
+        "too.",
         table(
             "data set | tasks | valid plans | reached blindly | with new plans | to the letter | steps kept",
             [
