@@ -189,9 +189,10 @@ def page(told: Mapping[str, Any]) -> str:
         *WHY,
         *([f"Not measured here: {'; '.join(missing)}."] if missing else []),
         "## The discs of the guide",
-        "The script and the commands of [data of your own](../data.md#the-same-with-numpy), over seeds of "
-        "training. Errors are summed over both axes. What each symbol does to each category counts as kept "
-        "if it mostly turns out in one way, standing still included.",
+        "The script and the commands of [data of your own](../data.md#the-same-with-numpy), over "
+        "seeds of training. Errors are summed over both axes. What each symbol does to each category "
+        "counts as kept if it mostly turns out in one way, standing still included; *of these move* "
+        "is as the verdict counts.",
         table(
             "training | errors, as a share of those of always zero | keep their promise | of these move",
             [

@@ -15,12 +15,14 @@ import numpy as np
 from neurosym.commands.cli import main
 from neurosym.data.interactions import Interactions
 from neurosym.files import read_json
+from neurosym.learning.network import EffectModel
 from neurosym.learning.training import TrainingReport, mean_over_axes, r_squared, split, trivial_predictions
 from neurosym.learning.training_config import TrainingConfig
-from neurosym.operators import OperatorTable
+from neurosym.operators import MIN_TRIALS
 from neurosym.stages import layout
-from neurosym.stages.verdicts import judge_operators, judge_values
+from neurosym.stages.verdicts import MOST, judge_values
 from neurosym.values.domain import ValueDomain
+from neurosym.values.outcomes import Rows, outcomes_of
 from tools.benchmarks.any_data.sets import SETS, DataSet, Task, tasks_of, write_columns, write_rows
 from tools.benchmarks.options import ROOT
 
@@ -136,7 +138,7 @@ def measured(name: str, folder: Path, seed: int, given: Path | None = None, *opt
 
 
 def discs(folder: Path, seed: int, *options: object) -> Found:
-    """Run the script of docs/data.md and learn from what it writes; count as `judge_operators` does."""
+    """Run the script of docs/data.md, and learn from what it writes."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     script = re.findall(r"```python\n(.*?)```", (ROOT / "docs/data.md").read_text(), flags=re.DOTALL)[0]
@@ -144,11 +146,19 @@ def discs(folder: Path, seed: int, *options: object) -> Found:
     neurosym("train", folder / "discs", "--seed", seed, *options)
     neurosym("distill", folder / "discs", "--seed", seed)
     neurosym("compile-domain", folder / "discs")
-    report = read_json(folder / "discs" / layout.TRAINING, TrainingReport)
-    verdict = judge_operators(OperatorTable.load(folder / "discs" / layout.PRIMITIVES))
-    kept, _, of = verdict.sentence.split()[:3]
-    compiled = judged(ValueDomain.load(folder / "discs" / layout.GROUNDING))
-    return {**told(report), **compiled, "pairs_kept": int(kept), "pairs": int(of)}
+    return of_discs(folder / "discs")
+
+
+def of_discs(folder: Path) -> Found:
+    """Say how well discs were learned, and what keeps its promise, standing still included."""
+    report = read_json(folder / layout.TRAINING, TrainingReport)
+    domain = ValueDomain.load(folder / layout.GROUNDING)
+    data, model = Interactions.load(folder / layout.INTERACTIONS), EffectModel.load(folder / layout.MODEL)
+    rows = Rows(np.full(data.effects.shape, np.nan), data.effects.astype(float))
+    pairs = np.char.add(model.object_symbols(data.features), model.action_symbols(data.actions))
+    groups = [rows[pairs == pair] for pair in np.unique(pairs)]
+    kept = [len(one) >= MIN_TRIALS and outcomes_of(one, domain.axes)[0].share >= MOST for one in groups]
+    return {**told(report), **judged(domain), "pairs_kept": sum(kept), "pairs": len(groups)}
 
 
 def told(report: TrainingReport) -> Found:
