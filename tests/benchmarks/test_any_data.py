@@ -75,6 +75,15 @@ def test_what_is_missing_is_said(tmp_path):
     assert any("by --deepsym" in said for said in missing)
 
 
+def test_the_discs_of_the_guide_are_told_of_by_how_they_were_trained():
+    run = {"r2_bits": 0.9, "pairs": 20, "pairs_kept": 18, "judged": 12, "kept": 11}
+    errors = {"mae": {"model": 0.1, "always zero": 0.5}}
+    told = evaluate.summary({"discs-1": {**run, **errors}, "discs-quick-2": {**run, **errors}})
+    page = evaluate.page({**told, "missing": [], "machine": {}})
+    for typed in ("train", "train --regime quick"):
+        assert f"| {typed} | 20 % | 18 of 20 | 11 of 12 |" in page
+
+
 def test_the_published_page_tells_what_was_measured():
     results = ROOT / "docs/results"
     told = json.loads((results / "any-data.json").read_text())

@@ -58,7 +58,7 @@ def jobs_of(work: Path, deepsym: Path | None) -> tuple[Jobs, list[str]]:
 def summary(found: Mapping[str, Any]) -> dict[str, Any]:
     """Sum up what was found, by data set."""
     told = dict[str, Any]()
-    for name in (*SETS, DISCS):
+    for name in (*SETS, *DISCS):
         runs = {job: run for job, run in sorted(found.items()) if job.rpartition("-")[0] == name}
         if runs:
             told[name] = summed(runs) if name in SETS else of_discs([*runs.values()])
