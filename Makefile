@@ -90,7 +90,8 @@ evaluate-scale: install
 # interrupted. DEEPSYM is a folder with public data of another group, which are not part of the project.
 DEEPSYM ?=
 evaluate-any-data: install
-	$(BIN)/pip install --quiet --no-deps panda-gym
+	$(BIN)/pip install --quiet --no-deps panda-gym n-sam
+	$(BIN)/pip install --quiet macq pddl-plus-parser anytree pandas scikit-learn
 	$(BIN)/python -m tools.benchmarks.any_data.evaluate $(if $(DEEPSYM),--deepsym $(DEEPSYM))
 
 # Kills, full disks, two at once and low limits, into docs/results/faults.*; goes on where it was

@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, counted
 from neurosym.files import naming
 from neurosym.operators import Symbol
 from neurosym.pddl.plan_reading import read_words
@@ -53,6 +53,9 @@ def plan_values(
             raise InvalidValue(f"{planner.name} does not plan with values; valid: bfs, or a planner of PDDL.")
         over = predicted(task.domain, predict) if predict else task.domain
         status, steps, reason = search(ValueTask(task.problem, over), begin + time_limit)
+        if status is PlanStatus.SOLVED and (said := task.replay(steps)[1]):
+            reason = f"the network predicts a plan of {counted(len(steps), 'step')}; by the data, {said}"
+            status, steps = PlanStatus.NOT_FOUND, ()
         return PlanResult(status, steps, time.perf_counter() - begin, reason, DEPTH)
     with scratch_folder() as folder:
         files = folder / "domain.pddl", folder / "problem.pddl"

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 from tyro.conf import arg
 
-from tools.benchmarks.any_data import way
+from tools.benchmarks.any_data import learners, way
 from tools.benchmarks.any_data.sets import SETS
 from tools.benchmarks.jobs import Evaluation, Job, Jobs, machine
 from tools.benchmarks.options import RESULTS, Results, Work, begin
@@ -52,7 +52,12 @@ def jobs_of(work: Path, deepsym: Path | None) -> tuple[Jobs, list[str]]:
             folder = work / "domains" / f"{name}-{seed}"
             known.append((seed, name, partial(way.discs, folder, seed, *options)))
     in_turn = sorted(known, key=lambda one: one[0])
-    return {f"{name}-{seed}": job for seed, name, job in in_turn}, missing
+    others = dict[str, Job]()
+    if all(map(find_spec, learners.NEEDS)):
+        others = learners.jobs(work / "traces")
+    else:
+        missing.append(f"{learners.PREFIX}: needs {listed(learners.NEEDS)} (make evaluate-any-data has them)")
+    return {f"{name}-{seed}": job for seed, name, job in in_turn} | others, missing
 
 
 def summary(found: Mapping[str, Any]) -> dict[str, Any]:
@@ -62,7 +67,7 @@ def summary(found: Mapping[str, Any]) -> dict[str, Any]:
         runs = {job: run for job, run in sorted(found.items()) if job.rpartition("-")[0] == name}
         if runs:
             told[name] = summed(runs) if name in SETS else of_discs([*runs.values()])
-    return told
+    return told | {learners.PREFIX: learners.summarise(found)}
 
 
 def summed(runs: Mapping[str, Any]) -> dict[str, Any]:
@@ -206,6 +211,9 @@ def page(told: Mapping[str, Any]) -> str:
                 if name in told
             ],
         ),
+        "## Beside a learner of action models",
+        learners.ABOUT,
+        learners.tables(told[learners.PREFIX]),
     )  # fmt: skip
 
 
@@ -225,7 +233,9 @@ def main(
     evaluation = Evaluation("any-data", work, results)
     jobs, missing = jobs_of(work.resolve(), deepsym and deepsym.resolve())
     done = evaluation.found()
-    missing = [said for said in missing if f"{said.partition(':')[0]}-1" not in done]
+    missing = [
+        said for said in missing if not any(job.startswith(f"{said.partition(':')[0]}-") for job in done)
+    ]
     for said in missing:
         print(said, file=sys.stderr)
     besides = {"missing": missing, "machine": machine("torch", "gymnasium", "panda-gym", "up-fast-downward")}
