@@ -35,7 +35,6 @@ from neurosym.report import symbols
 from neurosym.report.symbols import AXES, EffectRow, Explanation, SymbolExplanation
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.value_stages import is_of_values
 from neurosym.worlds.world_file import has_world, read_world
 
 
@@ -271,8 +270,7 @@ def explain_folder(domain: DomainFolder) -> Explanation:
     names = world.feature_names if world else ()
     if world is None and (data := domain / layout.INTERACTIONS).is_file():
         names = tuple(Interactions.load(data).origin.get("feature_names", ()))  # of data of a user's own
-    is_known = (file := domain / layout.GROUNDING).exists() and not is_of_values(domain)
-    grounding = Grounding.load(file) if is_known else None
+    grounding = Grounding.load(file) if (file := domain / layout.GROUNDING).exists() else None
     is_other = grounding and grounding.objects not in (table, with_every_outcome(table))
     left_out = grounding.why_left_out if grounding and not is_other else None
     _check_table(path, table)

@@ -43,7 +43,7 @@ ABOUT = (
     "balls. What holds is told as bits. SAM (Juba, Le and Stern, 2021) learns preconditions and effects of "
     "each action; we compile, with the bits as symbols, or with four bits that our network learns of them. "
     "Ten problems ask for one state that is come to from another; Fast Downward plans, and "
-    "unified-planning's validator judges plans on the hidden domain. Shares are means over seeds."
+    "unified-planning's validator judges plans on the hidden domain. One seed."
 )
 TRACES = (20, 80, 320)  # how many, of so many steps each
 _STEPS, _PROBLEMS, _SEED = 10, 10, 900
@@ -77,7 +77,7 @@ Walk = list[tuple[list[str], list[str]]]
 """What holds in turn, and the action that is taken there."""
 
 
-def jobs(work: Path, seeds: int = 2) -> Jobs:
+def jobs(work: Path, seeds: int = 1) -> Jobs:
     """List the jobs: one for each learner, number of traces and seed."""
     return {
         f"{PREFIX}-{learner}-{count}-{seed}": partial(_try, work, learner, count, seed)
