@@ -155,11 +155,16 @@ def replay(
     That is byte for byte on the machine that it was made on, and within a micrometre on another.
     """
     from neurosym.stages.execution import replay_run
+    from neurosym.stages.value_stages import is_of_values
 
     domain = opened(folder)
     if page:
         check_extra()
         check_file(page, "page", ".html", ".htm")
+    if is_of_values(domain):
+        raise InvalidValue(
+            "Runs with data of your own are not replayed; `neurosym execute` performs a plan again."
+        )
     record = _record(domain, record)
     inside, home = record.resolve(), domain.path.resolve()
     if inside.is_relative_to(home):

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, Optional
 from tyro.conf import Positional, arg
 
 from neurosym.choices import BUDGET, CELL, DEFAULT_STRATEGY, StrategyName
-from neurosym.commands.arguments import CPUS, Folder, Json, Seed, Workers, answer_in, opened
+from neurosym.commands.arguments import CPUS, Folder, Json, Seed, Workers, answer_in, opened, refuse_options
 from neurosym.errors import InvalidData, InvalidFile, InvalidValue, counted, listed_briefly, quoted
 from neurosym.learning.training_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.stages import layout
@@ -79,7 +79,8 @@ def init(
         _take_data(folder, data, columns)
         say_next(f"neurosym check {quoted(folder)}")
         return 0
-    make_domain_folder(folder, world)
+    if not (world == "tabletop" and _write_own_axes(folder)):
+        make_domain_folder(folder, world)
     command = "train" if (folder / layout.INTERACTIONS).is_file() else "explore"
     say_next(f"neurosym {'distill' if (folder / layout.MODEL).is_file() else command} {quoted(folder)}")
     return 0
@@ -89,10 +90,13 @@ def _take_data(folder: Path, data: Path, columns: Path | None) -> None:
     """Make a domain folder of a table, with its axes in `world.toml`."""
     from neurosym.data.axes import axes_in
     from neurosym.data.foreign_tables import read_interactions
+    from neurosym.data.origin import training_problems
     from neurosym.files import make_folder, write_new
     from neurosym.worlds.world_file import axes_text
 
     found = read_interactions(data, columns)
+    if problems := training_problems(found.columns, found.origin):
+        raise InvalidData(data, problems)
     for name in (layout.INTERACTIONS, layout.WORLD):
         if (folder / name).exists():
             raise InvalidValue(f"{folder / name} exists already; name another folder.")
@@ -102,6 +106,27 @@ def _take_data(folder: Path, data: Path, columns: Path | None) -> None:
     axes = ", ".join(f"{axis.name} ({axis.kind})" for axis in axes_in(found.origin["axes"]))
     say(f"wrote {folder / layout.INTERACTIONS}, {counted(len(found), 'interaction')}")
     say(f"wrote {folder / layout.WORLD}, where kinds, cells and bounds of axes can be set: {axes}")
+
+
+def _write_own_axes(folder: Path) -> bool:
+    """Write the axes of data of a user's own that lie in a folder already; say whether there are any."""
+    from neurosym.data.axes import axes_in
+    from neurosym.data.interactions import Interactions
+    from neurosym.data.origin import is_explored
+    from neurosym.files import write_new
+    from neurosym.worlds.world_file import axes_text
+
+    if not (file := folder / layout.INTERACTIONS).is_file():
+        return False
+    origin = Interactions.load(file).origin
+    if (
+        is_explored(origin)
+        or not origin.get("axes")
+        or not write_new(folder / layout.WORLD, axes_text(axes_in(origin["axes"])))
+    ):
+        return False
+    say(f"wrote {folder / layout.WORLD} for the axes of {file}")
+    return True
 
 
 def make_domain_folder(folder: Path, world: str) -> None:
@@ -203,8 +228,10 @@ def train(
     """Fit the model whose bits are symbols: `interactions.npz` -> `effect_model.safetensors`."""
     from neurosym.commands.tables import show_training
     from neurosym.stages.learning import AIMS, OBJECTS, train_stage
+    from neurosym.stages.value_stages import check_own
 
     domain = opened(folder)
+    check_own(domain)
     bits: dict[str, Any] = {"object_bits": object_bits, "action_bits": action_bits}
     for aim in AIMS:
         data = domain / aim.file(layout.INTERACTIONS)
@@ -296,6 +323,7 @@ def compile_domain(
 
     domain = opened(folder)
     if is_of_values(domain):
+        refuse_options(cell=None if cell == CELL else cell, durative=durative, plain=plain)
         domain.perform(compile_values_stage(domain, name=name), again=True)
         show_values(domain)
         say_next(f"neurosym new-problem {quoted(folder)}")

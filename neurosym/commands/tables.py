@@ -83,7 +83,9 @@ def show_values(folder: DomainFolder) -> None:
     domain = domain_of(folder)
     axes = [[cells.axis.name, cells.axis.kind, str(cells), _near(cells)] for cells in domain.cells]
     show_table("axes; world.toml says otherwise", ["axis", "kind", "cells", "as promised within"], axes)
-    rows = [[one.name, f"{one.outcome.count} of {one.trials}", domain.told(one)] for one in domain.operators]
+    rows = [
+        [one.name, f"{one.outcome.count} of {one.trials}", domain.in_words(one)] for one in domain.operators
+    ]
     show_table("operators, told from the data", ["operator", "as promised", "does"], rows)
     show_verdict(judge_values(domain))
 
@@ -141,6 +143,8 @@ def show_data(interactions: Interactions, path: Path) -> None:
             rows.append([f"{array}[:, {n}]", name, *(f"{figure:.4g}" for figure in figures)])
     title = f"{path}: {len(interactions)} interactions"
     show_table(title, ["column", "name", "least", "mean", "greatest", "spread"], rows)
+    if origin.get("axes"):
+        return
     moved = np.mean(np.linalg.norm(interactions.effects, axis=1) > NO_EFFECT)
     shares = [f"{kind} {getattr(interactions, kind).mean():.0%}" for kind in FLAGS]
     say(f"with an effect above {NO_EFFECT:g}: {moved:.0%}; {', '.join(shares)}")

@@ -134,19 +134,24 @@ def new_problem(
     return 0
 
 
+_YES_NO = {"no": "0", "yes": "1"}
+
+
 def _parse_value_goals(texts: tuple[str, ...]) -> dict[str, dict[str, "Goal"]] | None:
     goals = dict[str, dict[str, "Goal"]]()
     for text in texts:
         place, _, value = text.partition("=")
         thing, _, axis = place.partition(".")
         try:
-            bounds = tuple(map(float, value.split("..")))
+            bounds = tuple(float(_YES_NO.get(one, one)) for one in value.split(".."))
         except ValueError:
             bounds = ()
         if not (thing and axis and len(bounds) in (1, 2)):
             raise InvalidValue(
-                f"The goal {text!r} cannot be read; write it as thing-01.AXIS=0.5, or 0.4..0.6."
+                f"The goal {text!r} cannot be read; write it as thing-01.AXIS=0.5, 0.4..0.6, or yes."
             )
+        if axis in goals.get(thing, ()):
+            raise InvalidValue(f"{thing}.{axis} has two goals; give each axis of a thing one.")
         goals.setdefault(thing, {})[axis] = bounds[0] if len(bounds) == 1 else (bounds[0], bounds[1])
     return goals or None
 

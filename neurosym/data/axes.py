@@ -126,6 +126,26 @@ def as_tables(axes: Sequence[Axis]) -> list[dict[str, Any]]:
     return [*msgspec.to_builtins(axes)]
 
 
+def misfit(axis: Axis, values: Float[np.ndarray, " N"] | None, effects: Float[np.ndarray, " N"]) -> str:
+    """Say what is said of an axis that its data cannot be, or nothing; `values` are what a feature shows."""
+    known = effects if values is None else values
+    if axis.period and values is not None and np.abs(effects).max() > 0.51 * axis.period:
+        return (
+            f"{axis.name} is an angle, and its effects go beyond half of its period; name the angle in "
+            "--columns when the table is read, so that effects are taken the shorter way round"
+        )
+    if axis.kind == "flag" and not np.isin(known, (0, 1)).all():
+        return f"{axis.name} is a flag, and the data have {known.min():g} to {known.max():g}; valid: 0 and 1"
+    low = -np.inf if axis.low is None or axis.period else axis.low
+    high = np.inf if axis.high is None else axis.high
+    if values is not None and np.mean((values >= low) & (values <= high)) < 0.5:
+        return (
+            f"{axis.name} goes from {low:g} to {high:g}, and most of the data lie outside: they go from "
+            f"{values.min():g} to {values.max():g}"
+        )
+    return ""
+
+
 def check_flags(
     axes: Sequence[Axis], effects: Float[np.ndarray, "N E"], features: Sequence[str]
 ) -> list[str]:

@@ -111,7 +111,10 @@ def _read_csv(path: Path) -> dict[str, np.ndarray]:
     """Read a text table with a header; columns in which all is a number or a truth value become numbers."""
     text = read_bytes(path, MOST_DATA).decode("utf-8-sig", errors="replace")
     delimiter = max(",;\t", key=text.partition("\n")[0].count)
-    rows = [row for row in csv.reader(io.StringIO(text), delimiter=delimiter) if any(map(str.strip, row))]
+    try:
+        rows = [row for row in csv.reader(io.StringIO(text), delimiter=delimiter) if any(map(str.strip, row))]
+    except csv.Error as error:
+        raise InvalidFile(path, f"it is no text table: {error}") from error
     header = [name.strip() for name in rows[0]] if rows else []
     if len(rows) < 2 or len({*header}) < len(header) or not all(header):
         raise InvalidFile(path, "it has no header of different names, and rows below it")
@@ -222,7 +225,9 @@ def _chosen(table: Table, mapping: Roles, wanted: Sequence[str]) -> _Chosen:
     for one in wanted:
         found = _column(table, one)
         if found.dtype.kind not in "fiub":
-            text = next((str(entry) for entry in found.flat if not _is_number(str(entry))), "")
+            row, text = next((n, str(one)) for n, one in enumerate(found.flat) if not _is_number(str(one)))
+            if not text:
+                raise InvalidValue(f"The column {shortened(one)} has no value in row {row} (from 0)")
             raise InvalidValue(
                 f"The column {shortened(one)} is text, as {shortened(text)!r}; valid: numbers, or name it as "
                 "one of the choices"
@@ -317,6 +322,9 @@ def _marked(column: np.ndarray, name: str) -> tuple[list[str], np.ndarray]:
     if column.shape[1] != 1:
         raise InvalidValue(f"{name} has {column.shape[1]} columns; valid: one that holds what was chosen")
     choices, rows = np.unique(column[:, 0], return_inverse=True)
+    if "" in choices:
+        row = int(np.flatnonzero(column[:, 0] == "")[0])
+        raise InvalidValue(f"The column {name} has no value in row {row} (from 0)")
     if len(choices) > _MOST_CHOICES:
         raise InvalidValue(f"{name} holds {len(choices)} choices; valid: at most {_MOST_CHOICES}")
     plain = name.removeprefix("choice.")

@@ -50,7 +50,8 @@ def compare_values(
     """
     domain, world, seeds = domain_of(folder), read_stepper(folder / layout.WORLD), [*seeds]
     chosen = [planner_named(name, folder.path) for name in planners]
-    predict = prediction_of(folder) if any(one.reads == "network" for one in chosen) else None
+    reads = any(one.reads == "network" for one in chosen) and (folder / layout.MODEL).exists()
+    predict = prediction_of(folder) if reads else None
     host = HostedStates(*world, folder.path) if world else None
     found: dict[str, list[ValueAttempt]] = {name: [] for name in planners}
     try:
@@ -82,7 +83,7 @@ def _attempt(
     result = solve(task)
     if not result.has_plan:
         return ValueAttempt(None, result.seconds, blind=perform and False, replanned=perform and False)
-    told = len(result.steps), result.seconds, not task.replay(result.steps)[1]
+    told = len(result.steps), result.seconds, not task.strays(result.steps)
     if perform is None:
         return ValueAttempt(*told)
     blind = execute_values(task, result.steps, perform)

@@ -98,6 +98,6 @@ def _does(domain: ValueDomain) -> dict[str, list[tuple[str, str, float, str]]]:
     does: dict[str, list[tuple[str, str, float, str]]] = {}
     for one in domain.operators:
         share = one.outcome.count / one.trials
-        told = domain.told(one), domain.category(one.category).name, share, one.name
+        told = domain.in_words(one), domain.category(one.category).name, share, one.name
         does.setdefault(one.label, []).append(told)
     return does

@@ -9,21 +9,22 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from neurosym.data.axes import legal_name
+from neurosym.data.axes import Axis, legal_name, misfit
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import is_explored
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import digest, make_folder, read_json, read_text, remove, write_atomically, write_json
-from neurosym.operators import OperatorTable
+from neurosym.operators import OperatorTable, names_of_features
 from neurosym.pddl.plan_reading import MOST_PLAN, read_words
 from neurosym.pddl.syntax import Atom
 from neurosym.planners.planner import PlanResult, PlanStatus
 from neurosym.planners.registry import planner_named
+from neurosym.problems import check_names
 from neurosym.stages import layout
 from neurosym.stages.folder import Claim, DomainFolder, Stage
-from neurosym.stages.plan_records import PlanRecord
+from neurosym.stages.plan_records import PlanRecord, record_beside
 from neurosym.tasks.transition import named_steps
-from neurosym.values.domain import ValueDomain
+from neurosym.values.domain import ValueDomain, shown_by
 from neurosym.values.outcomes import compile_values
 from neurosym.values.problem import FORMAT, Goal, Thing, ValueProblem, ValueTask, known_to
 from neurosym.values.traces import GivenSymbols
@@ -55,6 +56,7 @@ def compile_values_stage(folder: DomainFolder, *, name: str | None = None) -> St
         folder: The domain folder.
         name: Name of the domain; that of the folder if not given.
     """
+    check_names((name,) if name is not None else ())
 
     def work() -> None:
         given, data = symbols_of(folder), Interactions.load(folder.require(layout.INTERACTIONS))
@@ -69,20 +71,48 @@ def compile_values_stage(folder: DomainFolder, *, name: str | None = None) -> St
                 name=name or legal_name(folder.path.resolve().name),
                 object_symbols=given.object_symbols,
                 action_symbols=given.action_symbols,
-                axes=read_axes(folder / layout.WORLD),
+                axes=fitting_axes(folder, data),
             )
         except InvalidValue as error:
             raise InvalidFile(folder / layout.INTERACTIONS, str(error).rstrip(".")) from error
         write_atomically(folder / layout.DOMAIN, value_page(domain).text())
         write_json(folder / layout.GROUNDING, domain)
         for scene in sorted((folder / layout.PROBLEMS).glob(f"*{layout.SCENE}")):
-            with suppress(InvalidFile, InvalidValue):  # a problem of another domain
+            with suppress(InvalidFile, InvalidValue, UnknownChoice):  # a problem of another domain
                 _put(folder, read_json(scene, ValueProblem), domain)
 
     learned = (layout.MODEL, layout.PRIMITIVES) if (folder / layout.MODEL).exists() else ()
     inputs = (layout.WORLD, layout.INTERACTIONS, *learned)
     options = {"name": name} if name else {}
     return Stage("compile-domain", inputs, (layout.DOMAIN, layout.GROUNDING), work, options, Claim.ALONE)
+
+
+def fitting_axes(folder: DomainFolder, data: Interactions) -> tuple[Axis, ...]:
+    """Read the axes of a folder; nothing if it names none.
+
+    Raises:
+        InvalidFile: If `world.toml` says of them what the data cannot be.
+    """
+    file = folder / layout.WORLD
+    axes, names = (
+        read_axes(file),
+        names_of_features(data.features.shape[1], data.origin.get("feature_names", ())),
+    )
+    known = [one["name"] for one in data.origin.get("axes", ())]
+    if axes and known and [axis.name for axis in axes] != known:
+        raise InvalidFile(
+            file, f"its axes are not those of the data; valid: {', '.join(known)}, in this order"
+        )
+    for axis, by, effects in zip(axes, shown_by(axes, names), data.effects.T, strict=False):
+        if said := misfit(axis, None if by is None else data.features[:, by], effects):
+            raise InvalidFile(file, said)
+    return axes
+
+
+def check_own(folder: DomainFolder) -> None:
+    """Refuse axes in `world.toml` that data of a user's own cannot have; other folders have none."""
+    if is_of_values(folder):
+        fitting_axes(folder, Interactions.load(folder / layout.INTERACTIONS))
 
 
 def domain_of(folder: DomainFolder) -> ValueDomain:
@@ -231,20 +261,17 @@ def plan_values_stage(
     """
     chosen = planner_named(planner, folder.path)
     plan_file, record_file = layout.plan_files(name, chosen.name)
+    network = (layout.MODEL,) if chosen.reads == "network" and (folder / layout.MODEL).exists() else ()
 
     def work() -> None:
         task = task_of(folder, name)
         limit = chosen.ceiling if time_limit is None else time_limit
-        predict = prediction_of(folder) if chosen.reads == "network" else None
+        predict = prediction_of(folder) if network else None
         result = plan_values(task, chosen, time_limit=limit, predict=predict)
         _write_plan(folder, task, chosen.name, result)
 
     options: dict[str, Any] = {"time_limit": time_limit}
-    inputs = (
-        layout.scene_file(name),
-        layout.GROUNDING,
-        *((layout.MODEL,) if chosen.reads == "network" else ()),
-    )
+    inputs = (layout.scene_file(name), layout.GROUNDING, *network)
     outputs = (plan_file, record_file, layout.steps_file(plan_file))
     return Stage(f"plan {name} {chosen.name}", inputs, outputs, work, options)
 
@@ -266,6 +293,7 @@ def _write_plan(folder: DomainFolder, task: ValueTask, planner: str, result: Pla
         text = "".join(f"({' '.join(words)})\n" for words in written(result.steps, task))
         write_atomically(folder / plan_file, text)
         found = {"digest": sha256(text.encode()).hexdigest(), "chance": round(task.chance(result.steps), 4)}
+        found["misses"] = task.strays(result.steps)
     record = PlanRecord(
         problem=name,
         planner=planner,
@@ -294,7 +322,7 @@ def execute_values_stage(
         name: Name of the problem.
         plan_file: The plan.
         replanner: Whom to ask for new plans.
-        replans: How many may be asked for; `USUAL_REPLANS` if not given.
+        replans: How many may be asked for; if not given `USUAL_REPLANS`, and none for a plan of others.
         time_limit: The user's ceiling for each [s].
 
     Raises:
@@ -305,11 +333,12 @@ def execute_values_stage(
         said = 'it names no world that could perform a plan; valid: world = "module:factory" beside its axes'
         raise InvalidFile(folder / layout.WORLD, said)
     limit = chosen.ceiling if time_limit is None else time_limit
-    many, record = USUAL_REPLANS if replans is None else replans, layout.run_file(name, plan_file)
+    usual = USUAL_REPLANS if record_beside(plan_file) else 0
+    many, record = usual if replans is None else replans, layout.run_file(name, plan_file)
 
     def work() -> None:
         task = task_of(folder, name)
-        steps = read_steps(actions_of(task, plan_file))
+        steps = read_steps(actions_of(task, plan_file), task.domain)
         host = HostedStates(*world, folder.path)
         try:
             run = execute_values(

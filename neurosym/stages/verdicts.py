@@ -34,7 +34,7 @@ from neurosym.stages.value_stages import actions_of, task_of
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, Steps, expected_success, named_steps, validate
 from neurosym.values.domain import ValueDomain, ValueOperator
-from neurosym.values.value_page import read_steps, value_page, value_problem
+from neurosym.values.value_page import read_steps, value_page, value_problem, written
 
 _Level = Literal["useless", "weak", "good", "unproven"]
 LEVELS: tuple[_Level, ...] = ("useless", "weak", "good", "unproven")
@@ -166,6 +166,8 @@ def judge_values(domain: ValueDomain) -> Verdict:
     if still := [axis.name for axis in domain.axes if axis.name not in moved]:
         sentence += f"; none of these changes {listed_briefly(still)}"
     remedy = "what has one symbol ends differently; use more bits, or bring more interactions"
+    if len(sure) >= MOST * len(best):
+        remedy = "what nothing changes needs no axis; leave it out of `after`"
     if not sure or len(sure) < FEW * len(best):
         return Verdict("useless", sentence, remedy)
     return (
@@ -394,9 +396,11 @@ def judge_value_plan(folder: DomainFolder, name: str, plan_file: Path) -> PlanVe
     """Say whether a plan with values is valid; see `judge_plan`."""
     task = task_of(folder, name)
     actions = actions_of(task, plan_file)
-    steps = read_steps(actions)
+    steps, is_short = read_steps(actions, task.domain), all(words[0] != "act" for words in actions)
     try:
-        replay = task.replay(steps)[1]
+        if is_short and not task.replay(steps)[1]:
+            actions = written(steps, task)
+        replay = task.replay(steps)[1] or task.strays(steps)
     except UnknownChoice as error:
         raise InvalidPlan(plan_file, 1, str(error).rstrip(".")) from error
     verdict = validate_pddl(value_page(task.domain).text(), value_problem(task).text(), actions)
@@ -406,7 +410,7 @@ def judge_value_plan(folder: DomainFolder, name: str, plan_file: Path) -> PlanVe
         valid_by_pddl=verdict.valid,
         valid_by_replay=not replay,
         domain=DOMAIN,
-        written_out=False,
+        written_out=is_short,
         pddl_reason=verdict.reason,
         pddl_failed=verdict.failed,
         replay_reason=replay,

@@ -93,22 +93,33 @@ class Cells:
     def near(self, goal: float | tuple[float, float]) -> tuple[int, ...]:
         """Return the cells that meet a goal: a value, within the tolerance, or bounds.
 
-        Between bounds lie cells that are whole in them, or else those of which the middle is.
+        These are the cells that lie in it whole, or else those of which the middle does; a value has one.
         """
-        tolerance = self.axis.tolerance or 0.0
-        if isinstance(goal, tuple):
-            middle, room = (goal[0] + goal[1]) / 2, (goal[1] - goal[0]) / 2 + 1e-9
-            off = [abs(self.axis.apart(self.centre(n), middle)) for n in range(self.count)]
-            whole = [n for n in range(self.count) if off[n] + self.size / 2 <= room]
-            found = whole or [n for n in range(self.count) if off[n] <= room]
-        else:
-            off = [abs(self.axis.apart(self.centre(n), goal)) for n in range(self.count)]
-            found = [n for n in range(self.count) if off[n] <= max(tolerance, min(off)) + 1e-9]
-            if min(off) > max(tolerance, self.size / 2) + 1e-9:
-                found = []
+        if self.axis.kind == "flag" and goal not in (0, 1, (0, 1)):
+            raise InvalidValue(f"{self.axis.name} cannot be {goal}; valid: 0 and 1, or no and yes.")
+        middle, room = self._around(goal)
+        off = [abs(self.axis.apart(self.centre(n), middle)) for n in range(self.count)]
+        found = [n for n in range(self.count) if off[n] + self.size / 2 <= room]
+        if not found:  # the middle of a cell is in it, or else a value lies in a cell
+            most = room if isinstance(goal, tuple) else min(off) if min(off) <= self.size / 2 else room
+            found = [n for n in range(self.count) if off[n] <= most + 1e-9]
         if not found:
             raise InvalidValue(f"No cell of {self.axis.name} meets the goal {goal}; its cells are {self}.")
         return tuple(found)
+
+    def meets(self, goal: float | tuple[float, float], value: float) -> bool:
+        """Say whether a value itself meets a goal: within bounds, or within its tolerance or half a cell."""
+        middle, room = self._around(goal)
+        least = 1e-6 if isinstance(goal, tuple) or self.axis.kind == "flag" else self.size / 2
+        return abs(self.axis.apart(value, middle)) <= max(room, least)
+
+    def _around(self, goal: float | tuple[float, float]) -> tuple[float, float]:
+        """Return the middle of a goal, and how far from it is near enough."""
+        if isinstance(goal, tuple):
+            low, high = goal
+            high += (self.axis.period or 0.0) * (high < low)  # over the seam of an angle
+            return (low + high) / 2, (high - low) / 2 + 1e-9
+        return goal, self.axis.tolerance or 0.0
 
     def name(self, number: int) -> str:
         """Name a cell, like `speed12`, or `open-yes` for a flag."""
@@ -135,6 +146,7 @@ class Outcome(Document, frozen=True):
     steps: tuple[Step, ...]  # what it does along each axis, in cells
     count: Count  # how many trials ended so
     share: Share  # the same as a share of all trials
+    means: tuple[float, ...]  # by how much the value on each axis changed, in the mean; 0 where it is set
 
 
 class ValueOperator(Document, frozen=True, omit_defaults=True):
@@ -194,6 +206,21 @@ class ValueDomain(Versioned, frozen=True, omit_defaults=True):
         """Say what an operator does, like `speed-by-2, to-open-yes`."""
         pairs = zip(self.cells, operator.outcome.steps, strict=True)
         return ", ".join(cells.step_name(step) for cells, step in pairs if not step.stays)
+
+    def in_words(self, operator: ValueOperator) -> str:
+        """Say what an operator does in units of the data, like `temperature +1.98 C, window becomes yes`."""
+        said = list[str]()
+        outcome = operator.outcome
+        for cells, step, mean in zip(self.cells, outcome.steps, outcome.means, strict=True):
+            name, unit = cells.axis.name, f" {cells.axis.unit}" if cells.axis.unit else ""
+            if step.to is not None:
+                is_flag = cells.axis.kind == "flag"
+                said.append(
+                    f"{name} becomes {('no', 'yes')[step.to] if is_flag else f'{cells.centre(step.to):g}'}"
+                )
+            elif not step.stays:
+                said.append(f"{name} {mean:+.3g}{unit}")
+        return ", ".join(said)
 
     def operator_named(self, name: str) -> ValueOperator:
         """Return the operator of that name; `UnknownChoice` if there is none."""

@@ -178,9 +178,9 @@ def _commonest(rows: Rows, axes: Sequence[Axis], total: int) -> tuple[Bool[np.nd
             off = axis.difference(values[None, :], values[: len(near), None])
             near &= np.abs(off) <= (axis.tolerance or 0.0)
     members = near[near.sum(axis=1).argmax()]
-    steps = list[Step]()
+    steps, means = list[Step](), list[float]()
     for number, axis in enumerate(axes):
-        values, cells = rows.effects[:, number], Cells(axis)
+        values, cells, mean = rows.effects[:, number], Cells(axis), 0.0
         if axis.is_set:
             after = np.array([cells.clipped(value) for value in rows.after[:, number]])
             to = int(np.bincount(after[members], minlength=cells.count).argmax())
@@ -197,8 +197,9 @@ def _commonest(rows: Rows, axes: Sequence[Axis], total: int) -> tuple[Bool[np.nd
                 np.abs(axis.difference(values, np.full(len(values), mean))) <= (axis.tolerance or 0.0)
             )
             steps.append(Step(cells.shift(mean)))
+        means.append(round(mean, 9))
     count = int(members.sum())
-    return members, Outcome(tuple(steps), count, count / total)
+    return members, Outcome(tuple(steps), count, count / total, tuple(means))
 
 
 def is_worth(outcome: Outcome, trials: int) -> bool:
@@ -268,25 +269,39 @@ def _completed(
         for one, mid in zip(changes, middles, strict=True)
     ]
     spread = float(np.median([np.median(one) for one in off])) * 1.5
-    moved = np.abs(middles)[np.abs(middles) > max(2 * spread, 1e-9)]
+    moved = np.abs(middles)[np.abs(middles) > max(2 * spread, 1e-9)]  # by how much what moves it does
     usual = float(np.median(moved)) if len(moved) else max(spread, 1e-3)
-    cell = axis.cell or _whole(every) or round_down(max(spread, usual / _FINE))
-    tolerance = axis.tolerance or max(cell * 2 / 3, 2 * spread)
+    cell = axis.cell or _whole(every) or _fitting(moved, round_down(max(spread, usual / _FINE)), axis.period)
     if axis.period is not None:
-        cell = max(cell, axis.period / _MOST) if axis.cell is None else cell
+        if axis.cell is None and axis.period / cell > _MOST:
+            cell = _fitting(moved, axis.period / _MOST, axis.period)
         first = 0.0 if by is None else math.floor(before.min() / cell + 1e-6) * cell
-        return _filled(axis, cell, first or None, None, tolerance)
-    if by is None:
-        reach = _WIDE * float(np.abs(every).max()) or 1.0
-        low, high, tolerance = -reach, reach, max(tolerance, 2 * usual / _FINE)
-    else:
-        low, high = float(known.min()), float(known.max())
-    most = _MOST_HIDDEN if by is None else _MOST
+        return _filled(axis, cell, first or None, None, max(cell * 2 / 3, 2 * spread))
+    reach, most = _WIDE * float(np.abs(every).max()) or 1.0, _MOST_HIDDEN if by is None else _MOST
+    low, high = (-reach, reach) if by is None else (float(known.min()), float(known.max()))
     if axis.cell is None and (high - low) / cell > most:
-        cell = round_down((high - low) / most * 2)
-        tolerance = axis.tolerance or max(tolerance, cell * 2 / 3)
+        cell = _fitting(moved, round_down((high - low) / most * 2), None)
+    least = 2 * usual / _FINE if by is None else 0.0
     low, high = math.floor(low / cell + 1e-6) * cell, math.ceil(high / cell - 1e-6) * cell
-    return _filled(axis, cell, low, max(high, low + cell), tolerance)
+    return _filled(axis, cell, low, max(high, low + cell), max(cell * 2 / 3, 2 * spread, least))
+
+
+def _fitting(steps: np.ndarray, cell: float, period: float | None) -> float:
+    """Return a cell about as large as one of which steps are nearly whole multiples, lest rounding adds up.
+
+    Of an angle, the period is a whole multiple, too.
+    """
+    few, many = 0.6 * cell, 1.5 * cell
+    if period:
+        others = [period / count for count in range(max(2, math.ceil(period / many)), int(period / few) + 1)]
+    else:
+        others = [step / count for step in steps.tolist() for count in range(1, int(step / few) + 1)]
+    sizes = np.array([cell, *(one for one in others if few <= one <= many)])
+    if not len(steps):
+        return cell
+    lost = [float(np.mean(np.abs(steps - np.round(steps / size) * size) / steps)) for size in sizes]
+    best = min(range(len(sizes)), key=lambda n: (round(lost[n], 2), abs(math.log(sizes[n] / cell))))
+    return float(sizes[best]) if period else float(f"{sizes[best]:.3g}")
 
 
 def _whole(changes: np.ndarray) -> float:

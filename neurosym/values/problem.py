@@ -196,6 +196,36 @@ class ValueTask:
             states[step.object] = self.apply(states[step.object], operator) or ()
         return states, next(self.missed(states), "")
 
+    def values(self, steps: Sequence[PlanStep] = ()) -> dict[str, list[float]]:
+        """Follow a plan by mean changes, and not by cells, to where each thing comes to on each axis."""
+        shown, domain = self.domain.shown, self.domain
+        values = {
+            thing.name: [
+                thing.values.get(axis.name, 0.0) if by is None else thing.features[by]
+                for axis, by in zip(domain.axes, shown, strict=True)
+            ]
+            for thing in self.problem.things
+        }
+        for step in steps:
+            outcome = domain.operator_named(step.operator).outcome
+            values[step.object] = [
+                value + mean if one.to is None else cells.centre(one.to)
+                for value, one, mean, cells in zip(
+                    values[step.object], outcome.steps, outcome.means, domain.cells, strict=True
+                )
+            ]
+        return values
+
+    def strays(self, steps: Sequence[PlanStep] = ()) -> str:
+        """Say which goal a plan misses by mean changes, or nothing: rounding to cells may add up."""
+        values = self.values(steps)
+        for thing, goals in sorted(self.problem.goals.items()):
+            for value, cells in zip(values[thing], self.domain.cells, strict=True):
+                goal = goals.get(cells.axis.name)
+                if goal is not None and not cells.meets(goal, value):
+                    return f"{thing} ends with {cells.axis.name} = {value:.4g}, not {goal}"
+        return ""
+
     def chance(self, steps: Sequence[PlanStep]) -> float:
         """Return the chance that all steps go as promised."""
         return prod(self.domain.operator_named(step.operator).chance for step in steps)

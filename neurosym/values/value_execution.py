@@ -7,7 +7,7 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.planners.planner import PlanResult
 from neurosym.tasks.transition import PlanStep
 from neurosym.values.problem import Thing, ValueTask
@@ -61,26 +61,25 @@ def execute_values(
     now, left, done, asked = task, [*steps], list[ValueStep](), 0
     failed = Counter[str]()
     while True:
-        reason = _why_not(now, left)
+        reason = now.replay(left)[1] if left else now.strays()
         if reason and solve and asked < replans:
             asked += 1
             result = solve(_doubting(now, failed))
             left, reason = [*result.steps], "" if result.has_plan else result.reason
         if not left or (reason and solve):
-            reason = reason or next(now.missed(now.start), "")
+            reason = reason or now.strays()
             return ValueRun(FORMAT, task.problem.name, tuple(done), not reason, reason, asked)
         step, *left = left
         try:
             told, now = _performed(now, step, perform)
+        except InvalidWorld as error:
+            reason = f"step {len(done) + 1}: {str(error).rstrip('.')}"
+            return ValueRun(FORMAT, task.problem.name, tuple(done), False, reason, asked)
         except InvalidValue as error:
             reason = f"{step.object} came to where nothing is known: {str(error).rstrip('.')}"
             return ValueRun(FORMAT, task.problem.name, tuple(done), False, reason, asked)
         done.append(told)
         failed[step.operator] += not told.as_promised
-
-
-def _why_not(task: ValueTask, steps: Sequence[PlanStep]) -> str:
-    return task.replay(steps)[1]
 
 
 def _doubting(task: ValueTask, failed: Mapping[str, int]) -> ValueTask:

@@ -224,6 +224,14 @@ def known_words(task: ValueTask) -> set[str]:
     return {*names, *(one.name for one in task.domain.operators), *task.start}
 
 
-def read_steps(actions: Sequence[Atom]) -> tuple[PlanStep, ...]:
-    """Read ground actions of the page as steps; what else they say, the replay knows."""
-    return tuple(PlanStep(words[2], words[1]) for words in actions if words[0] == "act" and len(words) > 2)
+def read_steps(actions: Sequence[Atom], domain: ValueDomain) -> tuple[PlanStep, ...]:
+    """Read ground actions of the page as steps; what else they say, the replay knows.
+
+    In short, a step is the operator and the thing.
+    """
+    names = {one.name for one in domain.operators}
+    page = (
+        words[1:] if words[0] == "act" else (words[1:2] + words[:1]) * (words[0] in names)
+        for words in actions
+    )
+    return tuple(PlanStep(words[1], words[0]) for words in page if len(words) > 1)

@@ -69,7 +69,7 @@ def plan_values(
     if answer.status is not PlanStatus.SOLVED:
         return PlanResult(answer.status, (), seconds, answer.reason)
     try:
-        steps = read_steps(read_words(answer.text, _ANSWER, known_words(task)))
+        steps = read_steps(read_words(answer.text, _ANSWER, known_words(task)), task.domain)
         said = task.replay(steps)[1]
     except (InvalidPlan, InvalidValue, UnknownChoice) as error:
         steps, said = (), str(error)

@@ -11,7 +11,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.choices import admit, load_factory, search_here, told
-from neurosym.errors import InvalidWorld
+from neurosym.errors import InvalidWorld, shortened
 from neurosym.worlds.own_world import Apart
 
 
@@ -51,10 +51,14 @@ class HostedStates(Apart):
 
     def step(self, state: Float[np.ndarray, "S"], action: Float[np.ndarray, "A"]) -> Float[np.ndarray, "S"]:
         """Perform an action; see `StateWorld.step`."""
-        found = np.asarray(self.call("step", _step, state, action), dtype=float)
+        given = self.call("step", _step, state, action)
+        try:
+            found = np.asarray(given, dtype=float)
+        except (TypeError, ValueError):
+            found = np.array(np.nan)
         if found.shape != state.shape or not np.all(np.isfinite(found)):
             raise InvalidWorld(
-                self._called, f"gives {found.tolist()!r} from step; valid: {len(state)} finite numbers"
+                self._called, f"gives {shortened(repr(given))} from step; valid: {len(state)} finite numbers"
             )
         return found
 

@@ -279,7 +279,7 @@ def test_operators_are_named_after_what_not_all_of_them_do(steps, said):
     *by, to = steps
     told = (*(Step(one) for one in by), Step() if to == 0 else Step(to=0))
     axes = (Axis("far", cell=1.0), Axis("deep", cell=1.0), Axis("open", "flag"))
-    assert name_of(Outcome(told, 9, 0.9), axes, (0, -11, 0)) == said
+    assert name_of(Outcome(told, 9, 0.9, (0.0, 0.0, 0.0)), axes, (0, -11, 0)) == said
 
 
 def test_an_axis_that_no_feature_shows_has_finer_cells_as_no_state_is_in_one_of_them():
@@ -290,7 +290,7 @@ def test_an_axis_that_no_feature_shows_has_finer_cells_as_no_state_is_in_one_of_
         completed([Axis("x")], [Rows(before, one) for one in moved], shown=[by])[0].cell
         for before, by in ((start, 0), (hidden, None))
     ]
-    assert sizes == [0.2, 0.025]
+    assert sizes == [0.15, 0.025]
 
 
 def test_what_is_in_a_cell_that_meets_bounds_is_between_them_if_there_is_room_for_cells():

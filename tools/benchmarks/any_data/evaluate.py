@@ -67,7 +67,9 @@ def summary(found: Mapping[str, Any]) -> dict[str, Any]:
         runs = {job: run for job, run in sorted(found.items()) if job.rpartition("-")[0] == name}
         if runs:
             told[name] = summed(runs) if name in SETS else of_discs([*runs.values()])
-    return told | {learners.PREFIX: learners.summarise(found)}
+    if others := learners.summarise(found):
+        told[learners.PREFIX] = others
+    return told
 
 
 def summed(runs: Mapping[str, Any]) -> dict[str, Any]:
@@ -211,9 +213,11 @@ def page(told: Mapping[str, Any]) -> str:
                 if name in told
             ],
         ),
-        "## Beside a learner of action models",
-        learners.ABOUT,
-        learners.tables(told[learners.PREFIX]),
+        *(
+            [learners.TITLE, learners.ABOUT, learners.tables(told[learners.PREFIX])]
+            if learners.PREFIX in told
+            else []
+        ),
     )  # fmt: skip
 
 

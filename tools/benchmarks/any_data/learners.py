@@ -38,6 +38,7 @@ LEARNERS = {
     "learned": "our network and compiler, 4 bits of these",
 }
 PREFIX, NEEDS = "traces", ("macq", "sam_learning", "pddl_plus_parser")
+TITLE = "## Beside a learner of action models"
 ABOUT = (
     "macq draws traces of ten steps at random in a hidden domain: a robot with two hands, two rooms, two "
     "balls. What holds is told as bits. SAM (Juba, Le and Stern, 2021) learns preconditions and effects of "
@@ -257,21 +258,18 @@ def summarise(found: Found) -> dict[str, Any]:
     for learner in LEARNERS:
         for count in TRACES:
             cells = [found[name] for name in found if name.startswith(f"{PREFIX}-{learner}-{count}-")]
+            if not cells:
+                continue
             told = {key: [one[key] / one["problems"] for one in cells] for key in ("solved", "false")}
             summary.setdefault(learner, {})[str(count)] = told
     return summary
 
 
 def tables(summary: Mapping[str, Any]) -> str:
-    """Write a row for each learner."""
+    """Write a row for each learner and number of traces."""
     rows = [
-        [
-            about,
-            *(
-                f"{percent(mean_of(told['solved']))} / {percent(mean_of(told['false']))}"
-                for told in summary[learner].values()
-            ),
-        ]
-        for learner, about in LEARNERS.items()
+        [LEARNERS[learner], count, *(percent(mean_of(told[key])) for key in ("solved", "false"))]
+        for learner, by_count in summary.items()
+        for count, told in by_count.items()
     ]
-    return table(["solved / falsely planned", *(f"{count} traces" for count in TRACES)], rows)
+    return table("learner | traces | solved | falsely planned", rows)
