@@ -113,8 +113,40 @@ def test_a_csv_of_a_room_becomes_a_plan_in_six_commands(tmp_path, monkeypatch, c
     Path("room/world.toml").write_text(axes.replace('"temperature"', '"temperature", cell = 2.0, unit = "C"'))
     assert neurosym("compile-domain", "room") == 0
     assert "by 2" in capsys.readouterr().out
-    Path("room/world.toml").write_text(axes.replace('"temperature"', '"temperature", cell = 0'))
-    assert "a cell of 0" in refusal(capsys, "compile-domain", "room")
+    for said, refused in (
+        ("cell = 0", "a cell of 0"),
+        ("low = 100, high = 200", "most of the data lie outside: they go from 10"),
+        ('kind = "flag"', "is a flag, and the data have"),
+        ('kind = "angle", period = 2.0', "effects go beyond half of its period"),
+    ):
+        Path("room/world.toml").write_text(axes.replace('"temperature"', f'"temperature", {said}'))
+        assert refused in refusal(capsys, "compile-domain", "room")
+        assert refused in refusal(capsys, "train", "room")
+    Path("room/world.toml").write_text(axes.replace("temperature", "warmth"))
+    assert "valid: temperature, door, in this order" in refusal(capsys, "compile-domain", "room")
+    assert "not a legal name" in refusal(capsys, "compile-domain", "room", "--name", "Ü")
+    assert "no --cell" in refusal(capsys, "compile-domain", "room", "--cell", "0.5")
+    Path("room/world.toml").unlink()
+    assert neurosym("init", "room") == 0
+    assert Path("room/world.toml").read_text() == axes
+
+
+def test_plans_in_short_are_judged_and_written_out(discs, capsys):
+    steps = json.loads((discs / "plans" / "task-01.fast-downward.json").read_text())["steps"]
+    (discs / "short.plan").write_text("".join(f"({' '.join(step)})\n" for step in steps))
+    assert neurosym("validate", discs, "task-01", discs / "short.plan") == 0
+    assert "written out" in capsys.readouterr().out
+    (discs / "short.plan").write_text(f"({' '.join(steps[0])})\n")
+    assert neurosym("validate", discs, "task-01", discs / "short.plan") == 3
+    record = discs / "runs" / "task-01.fast-downward.run.json"
+    assert "are not replayed" in refusal(capsys, "replay", discs, record)
+    assert neurosym("execute", discs, "task-01", discs / "short.plan") == 3  # nobody plans anew
+    for goal, said in (
+        (("x=1",), "cannot be read"), (("thing-01.x=0.2", "thing-01.x=0.4"), "has two goals"),
+        (("thing-01.x=many",), "cannot be read"), (("thing-01.z=1",), "z"),
+    ):  # fmt: skip
+        typed = (word for one in goal for word in ("--goal", one))
+        assert said in refusal(capsys, "new-problem", discs, *typed)
 
 
 def test_own_data_along_three_axes_lack_nothing_but_a_world(folder, capsys):

@@ -2,6 +2,7 @@
 
 from functools import partial
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -220,6 +221,24 @@ def test_a_thing_that_leaves_what_is_known_ends_a_run(domain):
     plan = plan_values(asked, planner_named("bfs-operators"), time_limit=60).steps
     run = execute_values(asked, plan, lambda state, _: state + 1000)
     assert "dial-1 came to where nothing is known: level = 1004 lies out of bounds" in run.reason
+
+
+def test_rounding_to_cells_that_adds_up_is_told_before_and_after(domain):
+    asked = task(domain, (11.0, 2.0, 1.0), {"level": 8.0})
+    plan = plan_values(asked, planner_named("bfs-operators"), time_limit=60).steps
+    assert not asked.strays(plan)
+    short = tuple(
+        msgspec.structs.replace(
+            one,
+            outcome=msgspec.structs.replace(
+                one.outcome, means=tuple(0.5 * mean for mean in one.outcome.means)
+            ),
+        )
+        for one in domain.operators
+    )
+    drifting = ValueTask(asked.problem, msgspec.structs.replace(domain, operators=short))
+    assert not drifting.replay(plan)[1]
+    assert "dial-1 ends with level = 5, not 8" in drifting.strays(plan)
 
 
 def test_outcomes_that_differ_are_operators_of_their_own():
