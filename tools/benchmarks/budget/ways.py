@@ -58,7 +58,7 @@ WAYS: Mapping[str, Way] = {
     "with-relations": Way(
         "places and pairs are learned, too",
         {8000: _TOWERS, 15_000: _TOWERS},
-        {"places": None, "relations": 4096},
+        {"places": None, "relations": 1024},
     ),
     "no-teaching": Way(
         "the network learns from nothing that was performed to choose", _MIDDLE, {}, "teaching"
