@@ -97,7 +97,9 @@ def test_a_csv_of_a_room_becomes_a_plan_in_six_commands(tmp_path, monkeypatch, c
         capsys, "execute", "room", "task-01", "room/plans/task-01.fast-downward.plan"
     )
     assert neurosym("explain", "room") == 0
-    assert "heat-" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "heat-" in said
+    assert re.search(r"door-\d+ +\d+% +door over 0.5", said)
     assert neurosym("report", "room") == 0
     page = Path("room/report.html").read_text()
     assert page.count("<circle") == 600
