@@ -95,7 +95,9 @@ def opened(folder: Path) -> DomainFolder:
 
 def refuse_options(**options: object) -> None:
     """Refuse options that data of a user's own do not have, as far as they are given."""
-    if given := [f"--{name}" for name, value in options.items() if value not in (None, False, ())]:
+    if given := [
+        f"--{name}" for name, value in options.items() if not (value is None or value is False or value == ())
+    ]:
         raise InvalidValue(f"With data of your own there is no {' or '.join(given)}.")
 
 

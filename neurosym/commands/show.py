@@ -256,22 +256,20 @@ def explain(
 
     It takes one screen. `--all`, `--symbol`, `--output` and `--json` tell more.
     """
-    from neurosym.commands.tables import explanation_page, show_explanation, show_screen, show_values
-    from neurosym.data.category_names import traits_of
+    from neurosym.commands.tables import (
+        explanation_page,
+        show_explanation,
+        show_kinds,
+        show_screen,
+        show_values,
+    )
     from neurosym.report.explanation import explain_folder
     from neurosym.stages.value_stages import domain_of, is_of_values
 
     answer, domain = answer_in(json), opened(folder)
     if is_of_values(domain):
         refuse_options(output=output, symbol=symbol, all=all)
-        learned = domain_of(domain)
-        traits = traits_of(learned.categories, learned.features)
-        kinds = [
-            [one.name, f"{one.share:.0%}", ", ".join(map(str, traits[one.symbol]))]
-            for one in learned.categories
-            if one.share
-        ]
-        show_table("kinds of things", ["kind", "share", "what sets it apart"], kinds)
+        show_kinds(learned := domain_of(domain))
         show_values(domain)
         say_next(f"neurosym report {quoted(folder)}")
         answer(learned)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from neurosym.data.category_names import traits_of
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import FLAGS
 from neurosym.errors import counted, harmless, listed_briefly
@@ -88,6 +89,17 @@ def show_values(folder: DomainFolder) -> None:
     ]
     show_table("operators, told from the data", ["operator", "as promised", "does"], rows)
     show_verdict(judge_values(domain))
+
+
+def show_kinds(domain: ValueDomain) -> None:
+    """Print the categories of a domain of values, and what sets each apart."""
+    traits = traits_of(domain.categories, domain.features)
+    rows = [
+        [one.name, f"{one.share:.0%}", ", ".join(map(str, traits[one.symbol]))]
+        for one in domain.categories
+        if one.share
+    ]
+    show_table("kinds of things", ["kind", "share", "what sets it apart"], rows)
 
 
 def show_value_run(run: ValueRun, domain: ValueDomain) -> None:

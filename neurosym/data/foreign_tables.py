@@ -44,9 +44,7 @@ class Roles(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     choices: tuple[str, ...] = ()  # the same by whole numbers or words of which one is chosen
     effects: tuple[str, ...] = ()  # what was added along each axis, or became of what is set
     after: tuple[str, ...] | dict[str, str] = ()  # or what features became: all in order, or some by name
-    episode: str = (
-        ""  # or the column that says which rows follow each other: the next one says what they became
-    )
+    episode: str = ""  # or the column of episodes, in which the next row says what features became
     axes: tuple[dict[str, Any], ...] = ()  # what effects are along; see `Axis`
     names: dict[str, tuple[str, ...]] = {}  # names of the columns of an array
     origin: dict[str, Any] = {}  # what else is known, as docs/data.md has it
@@ -188,10 +186,9 @@ def _by_names(path: Path, table: Table) -> Roles:
 
     Traces as learners of action models read them have a column `action`, one `plan_id`, and bits.
     """
-    if {*_TRACE} < {*table}:
-        return Roles(
-            tuple(name for name in table if name not in _TRACE), choices=_TRACE[:1], episode=_TRACE[1]
-        )
+    if {*_TRACE} < {*table}:  # bits that never change tell nothing
+        bits = [name for name in table if name not in _TRACE and len(np.unique(table[name])) > 1]
+        return Roles(tuple(bits), choices=_TRACE[:1], episode=_TRACE[1])
     roles: dict[str, list[str]] = {role: [role] for role in _ROLES.values() if role in table}
     after = dict[str, str]()
     for column in table:

@@ -1,13 +1,13 @@
 """The page about data of a user's own: which things have which symbol, and what each action does to them."""
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.data.category_names import traits_of
+from neurosym.data.category_names import Trait, traits_of
 from neurosym.data.interactions import Interactions
 from neurosym.files import read_json, read_text
 from neurosym.learning.training import TrainingReport, error_table
@@ -37,7 +37,7 @@ def gather_values(folder: DomainFolder) -> dict[str, Any]:
     symbols = symbols_of(folder).object_symbols(data.features)
     seen, traits = Counter(symbols), traits_of(domain.categories, domain.features)
     palette = Palette(symbol for symbol, _ in seen.most_common())
-    axes = _telling(domain)
+    axes = _telling(traits, domain.features)
     is_trained = (folder / layout.TRAINING).is_file()
     report = read_json(folder / layout.TRAINING, TrainingReport) if is_trained else None
     names = [axis.name for axis in domain.axes]
@@ -71,14 +71,11 @@ def gather_values(folder: DomainFolder) -> dict[str, Any]:
     }
 
 
-def _telling(domain: ValueDomain) -> list[int]:
-    """Return the two features, or the one, by which the means of categories differ most."""
-    seen = [one for one in domain.categories if one.feature_means]
-    means, spreads = (
-        np.array([getattr(one, f"feature_{of}") for one in seen]) for of in ("means", "spreads")
-    )
-    apart = means.std(0) / np.maximum(spreads.mean(0), 1e-9) * (spreads.mean(0) > 0)
-    return [int(one) for one in np.sort(np.argsort(-apart, kind="stable")[:2])]
+def _telling(traits: Mapping[str, Sequence[Trait]], features: Sequence[str]) -> list[int]:
+    """Return the two features that set most categories apart, or the first ones."""
+    counts = Counter(trait.feature for found in traits.values() for trait in found)
+    chosen = [*dict.fromkeys((*(name for name, _ in counts.most_common()), *features))][:2]
+    return sorted(map(features.index, chosen))
 
 
 def _dots(

@@ -94,10 +94,8 @@ def fitting_axes(folder: DomainFolder, data: Interactions) -> tuple[Axis, ...]:
         InvalidFile: If `world.toml` says of them what the data cannot be.
     """
     file = folder / layout.WORLD
-    axes, names = (
-        read_axes(file),
-        names_of_features(data.features.shape[1], data.origin.get("feature_names", ())),
-    )
+    axes, given = read_axes(file), data.origin.get("feature_names", ())
+    names = names_of_features(data.features.shape[1], given)
     known = [one["name"] for one in data.origin.get("axes", ())]
     if axes and known and [axis.name for axis in axes] != known:
         raise InvalidFile(

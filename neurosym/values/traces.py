@@ -94,8 +94,9 @@ def traces_text(
     after = interactions.features.copy()
     for number, by in shown:
         after[:, by] += interactions.effects[:, number]
-        if period := axes[number].period:
-            after[:, by] %= period
+        if period := axes[number].period:  # an angle begins where its data begin
+            first = interactions.features[:, by].min()
+            after[:, by] = first + (after[:, by] - first) % period
     before, then = object_symbols(interactions.features), object_symbols(after)
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")

@@ -68,11 +68,13 @@ def test_goals_without_a_world_are_what_two_rows_of_a_thing_add_up_to():
     assert {json.dumps(goals) for _, goals in tasks} == {'{"x": [1.9, 2.1], "y": [-0.1, 0.1]}'}
 
 
-def test_what_is_missing_is_said(tmp_path):
+def test_what_is_missing_is_said(tmp_path, monkeypatch):
+    monkeypatch.setattr(evaluate.learners, "NEEDS", ("macq", "no_such_package"))
     jobs, missing = evaluate.jobs_of(tmp_path, None)
     assert "grid-1" in jobs
     assert not [name for name in jobs if name.startswith("deepsym")]
     assert any("by --deepsym" in said for said in missing)
+    assert any("needs macq, no_such_package" in said for said in missing)
 
 
 def test_the_discs_of_the_guide_are_told_of_by_how_they_were_trained():

@@ -143,6 +143,8 @@ def test_plans_in_short_are_judged_and_written_out(discs, capsys):
     record = discs / "runs" / "task-01.fast-downward.run.json"
     assert "are not replayed" in refusal(capsys, "replay", discs, record)
     assert neurosym("execute", discs, "task-01", discs / "short.plan") == 3  # nobody plans anew
+    nudged = refusal(capsys, "execute", discs, "task-01", discs / "short.plan", "--disturb", 0)
+    assert "no --disturb" in nudged
     for goal, said in (
         (("x=1",), "cannot be read"), (("thing-01.x=0.2", "thing-01.x=0.4"), "has two goals"),
         (("thing-01.x=many",), "cannot be read"), (("thing-01.z=1",), "z"),

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 from command_line import neurosym, refusal
 
+from neurosym.data.axes import Axis
 from neurosym.data.interactions import Interactions
-from neurosym.values.traces import GivenSymbols
+from neurosym.values.traces import GivenSymbols, traces_text
 
 LAMPS = 3
 
@@ -54,6 +55,32 @@ def test_bits_go_out_as_they_came_in(traces, tmp_path):
     np.testing.assert_array_equal(first.effects, second.effects)
     told = GivenSymbols(first).action_symbols(first.actions)
     assert told == GivenSymbols(second).action_symbols(second.actions)
+
+
+def test_angles_in_traces_stay_where_the_data_are():
+    angle = np.linspace(-3, 3, 41, dtype=np.float32)[:, None]
+    none, flat = np.zeros(41, dtype=bool), np.full((41, 1), 0.5, dtype=np.float32)
+    turning = Interactions(
+        angle, np.ones_like(angle), flat, flat, none, none, none, flat[:, 0], {"feature_names": ["angle"]}
+    )
+    seen = list[np.ndarray]()
+
+    def symbols(rows: np.ndarray) -> tuple[str, ...]:
+        seen.append(rows)
+        return ("0",) * len(rows)
+
+    axis = Axis("angle", "angle", period=6.5)
+    traces_text(turning, [axis], object_symbols=symbols, action_symbols=lambda rows: ("1",) * len(rows))
+    assert seen[1].min() >= -3
+    assert seen[1].max() <= 3.5
+    assert seen[1][0, 0] == pytest.approx(-2.5)
+
+
+def test_bits_that_never_change_are_left_out(tmp_path):
+    rows = "\n".join(f"1,{n % 2},flip,0" for n in range(40))
+    (tmp_path / "t.csv").write_text(f"wall,lit,action,plan_id\n{rows}")
+    assert neurosym("init", tmp_path / "t", "--data", tmp_path / "t.csv") == 0
+    assert Interactions.load(tmp_path / "t/interactions.npz").origin["feature_names"] == ["lit"]
 
 
 def test_what_no_feature_shows_has_no_traces(tmp_path, capsys):

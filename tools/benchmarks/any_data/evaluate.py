@@ -21,6 +21,8 @@ from tools.benchmarks.tables import counts, document, listed, mean_of, number, o
 DISCS = {"discs": (), "discs-quick": ("--regime", "quick")}  # what is typed after `train`, by name
 _HOWS = ("blind", "replanned")
 WHY = (
+    "**What changed since.** These figures were measured before cells were fitted to usual steps, and "
+    "before runs were judged by values and not by cells. They are to be measured anew.",
     "**What an action is.** In the worlds it is a choice. The pendulum has its greatest torque to the left, "
     "none, or to the right, held for 4 steps of the environment (0.2 s). The cube is pushed from one of four "
     "sides, by about 3 or 9 cm, and lies square to the table before each push.",
@@ -56,7 +58,8 @@ def jobs_of(work: Path, deepsym: Path | None) -> tuple[Jobs, list[str]]:
     if all(map(find_spec, learners.NEEDS)):
         others = learners.jobs(work / "traces")
     else:
-        missing.append(f"{learners.PREFIX}: needs {listed(learners.NEEDS)} (make evaluate-any-data has them)")
+        needed = ", ".join(learners.NEEDS)
+        missing.append(f"{learners.PREFIX}: needs {needed} (make evaluate-any-data has them)")
     return {f"{name}-{seed}": job for seed, name, job in in_turn} | others, missing
 
 
@@ -143,9 +146,9 @@ def page(told: Mapping[str, Any]) -> str:
         ),
         "## Symbols",
         "R2 of effects on held-out rows, the mean over axes: through the bits, by a network without bits, "
-        "and by the best predictor that looks at nothing. Operators are those of the domain; as the verdict "
-        "of `compile-domain` has it, the likeliest outcome of a symbol on a category keeps its promise where "
-        "it came in half of five rows or more. Figures of several seeds of training stand side by side.",
+        "and by the best predictor that looks at nothing. Operators are those of the domain. They "
+        "are counted as the verdict of `compile-domain` does: a promise is kept where the likeliest outcome "
+        "came in half of the rows, of five or more. Figures of several seeds of training stand side by side.",
         table(
             "data set | through the bits | without bits | trivial | operators | keep their promise",
             [

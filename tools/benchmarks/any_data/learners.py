@@ -219,7 +219,9 @@ def _ours(
     domain = folder / "domain"
     shutil.rmtree(domain, ignore_errors=True)
     neurosym("init", domain, "--data", folder / "traces.csv")
-    choices = Interactions.load(domain / layout.INTERACTIONS).origin["action_names"]
+    origin = Interactions.load(domain / layout.INTERACTIONS).origin
+    choices, names = origin["action_names"], origin["feature_names"]
+    named = {bit.replace(" ", "-"): bit for bit in bits}
     if learner == "learned":
         bits = "--object-bits", 4, "--action-bits", (len(choices) - 1).bit_length()
         neurosym("train", domain, "--seed", seed, *bits)
@@ -227,8 +229,8 @@ def _ours(
     neurosym("compile-domain", domain)
     planned = list[list[str] | None]()
     for number, (start, goal) in enumerate(problems):
-        thing = {"name": "thing-01", "features": [float(bit in start) for bit in bits]}
-        goals = {"thing-01": {bit.replace(" ", "-"): float(bit in goal) for bit in bits}}
+        thing = {"name": "thing-01", "features": [float(named[name] in start) for name in names]}
+        goals = {"thing-01": {name: float(named[name] in goal) for name in names}}
         scene = {
             "format": "neurosym-value-problem-1",
             "name": f"p{number}",

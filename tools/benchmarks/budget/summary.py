@@ -144,9 +144,9 @@ def page(summary: Mapping[str, Any]) -> str:
         table("way | interactions | tasks | seeds | followed blindly | replanned", rows),
         *(f"*{name}*: {way.about}." for name, way in WAYS.items()),
         "## What the codes tell",
-        "Of 1,000 random actions that nothing was learned from: R2 of their effects, in the mean of the "
-        "seeds; and how alike the groups are that symbols make of them, of two ways with one seed, and of "
-        "one way with two seeds. The adjusted Rand index is 1 for the same groups, and 0 for chance.",
+        "Nothing was learned from these 1,000 random actions. R2 is of their effects, in the mean of the "
+        "seeds. Symbols sort the actions into groups. These are compared between two ways with one seed, "
+        "and between two seeds of one way. The adjusted Rand index is 1 for the same groups, 0 for chance.",
         codes.tables(summary["codes"]),
         "## When curiosity pays",
         "In an action box so many times as high, more random actions move nothing. From 1,024 explored "
