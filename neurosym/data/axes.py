@@ -106,10 +106,7 @@ def axes_in(tables: Any, width: int | None = None) -> tuple[Axis, ...]:
         except msgspec.ValidationError as error:
             if isinstance(error.__cause__, InvalidValue):
                 raise error.__cause__ from None
-            said = str(error).rstrip(".")
-            if "$.name" in said:
-                said = "its name must be a lower-case letter, then a-z, 0-9 and hyphens"
-            raise InvalidValue(f"The axis of effects[:, {number}]: {said}.") from error
+            raise InvalidValue(f"The axis of effects[:, {number}] {_problem(one, str(error))}.") from error
     names = [axis.name for axis in found]
     if doubled := next((name for name in names if names.count(name) > 1), None):
         raise InvalidValue(f"Two axes are called {doubled}; give each a name of its own.")
@@ -119,6 +116,24 @@ def axes_in(tables: Any, width: int | None = None) -> tuple[Axis, ...]:
             f"There are {len(found)} axes ({listed}), and the effects have {width} columns; name each."
         )
     return tuple(found)
+
+
+_VALID = {
+    "name": "a lower-case letter, then a-z, 0-9 and hyphens",
+    "kind": "length, angle, value or flag",
+    "unit": "text",
+}  # the others are numbers
+
+
+def _problem(given: Any, said: str) -> str:
+    """Say what is wrong with the table of an axis, by what `msgspec` says of it."""
+    if not isinstance(given, dict):
+        return f'is {given!r}; valid: a table, like {{ name = "x" }}'
+    if (unknown := {*given} - {*Axis.__struct_fields__}) or "name" not in given:
+        wrong = f"has a {min(unknown)}" if unknown else "has no name"
+        return f"{wrong}; valid: {', '.join(Axis.__struct_fields__)}"
+    key = said.rpartition("$.")[2].rstrip("`")
+    return f"has {key} = {given.get(key)!r}; valid: {_VALID.get(key, 'a number')}"
 
 
 def as_tables(axes: Sequence[Axis]) -> list[dict[str, Any]]:

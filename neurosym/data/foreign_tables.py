@@ -114,8 +114,10 @@ def _read_csv(path: Path) -> dict[str, np.ndarray]:
     except csv.Error as error:
         raise InvalidFile(path, f"it is no text table: {error}") from error
     header = [name.strip() for name in rows[0]] if rows else []
-    if len(rows) < 2 or len({*header}) < len(header) or not all(header):
-        raise InvalidFile(path, "it has no header of different names, and rows below it")
+    if len(rows) < 2 or not all(header):
+        raise InvalidFile(path, "it has no header that names each column, and rows below it")
+    if doubled := next((name for name in header if header.count(name) > 1), None):
+        raise InvalidFile(path, f"two columns are called {doubled}; give each a name of its own")
     for number, row in enumerate(rows[1:], start=2):
         if len(row) != len(header):
             raise InvalidFile(

@@ -23,7 +23,6 @@ from neurosym.operators import (
     MIN_TRIALS,
     Categorise,
     OperatorTable,
-    Primitive,
     name_axes,
     names_of_features,
 )
@@ -105,7 +104,7 @@ def _operators(
     for primitive, category in product(table.primitives, table.categories):
         key = primitive.label, category.symbol
         for outcome in outcomes.get(key, ()):
-            verb = _chosen(primitive, origin) or name_of(outcome, axes, drifts)
+            verb = chosen(primitive.action, origin) or name_of(outcome, axes, drifts)
             plain = f"{verb}-{primitive.label}-{category.name}"
             others = (f"{plain}-or-{letter}" for letter in "abcdefgh")
             name, trials = next(one for one in (plain, *others) if one not in operators), len(groups[key])
@@ -117,12 +116,12 @@ def _operators(
     return tuple(operators[one] for one in sorted(operators))
 
 
-def _chosen(primitive: Primitive, origin: Mapping[str, Any]) -> str:
-    """Name what a primitive chooses, if all of an action is one choice, like `gear=2` or `move=left`."""
-    names, chosen = origin.get("action_names", ()), origin.get("choices", ())
-    if len({name.partition("=")[0] for name in names}) != 1 or [*chosen] != [*range(len(primitive.action))]:
+def chosen(action: Sequence[float], origin: Mapping[str, Any]) -> str:
+    """Name what an action chooses, if all of it is one choice, like `gear=2` or `move=left`; else nothing."""
+    names, choices = origin.get("action_names", ()), origin.get("choices", ())
+    if len({name.partition("=")[0] for name in names}) != 1 or [*choices] != [*range(len(action))]:
         return ""
-    what, _, value = names[int(np.argmax(primitive.action))].partition("=")
+    what, _, value = names[int(np.argmax(action))].partition("=")
     return legal_name(value if value[:1].isalpha() else f"{what} {value}")
 
 

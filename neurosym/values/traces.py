@@ -16,6 +16,7 @@ from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.operators import Categorise, Category, OperatorTable, Primitive, Symbol
 from neurosym.values.domain import shown_by
+from neurosym.values.outcomes import chosen
 
 _MOST_BITS = 64
 
@@ -74,7 +75,7 @@ def traces_text(
     object_symbols: Categorise,
     action_symbols: Categorise,
 ) -> str:
-    """Write each interaction as a trace of one action.
+    """Write each interaction as a trace of one action, by the names that the data have, where these are bits.
 
     Args:
         interactions: The data.
@@ -98,11 +99,22 @@ def traces_text(
             first = interactions.features[:, by].min()
             after[:, by] = first + (after[:, by] - first) % period
     before, then = object_symbols(interactions.features), object_symbols(after)
+    is_given = np.array_equal([[*map(int, one)] for one in before], interactions.features)
+    bits = names if is_given else [f"bit-{number}" for number in range(1, len(before[0]) + 1)]
+    actions = _named(action_symbols(interactions.actions), interactions)
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
-    table.writerow([*(f"bit-{number}" for number in range(1, len(before[0]) + 1)), "action", "plan_id"])
-    for row, (bits, action, ends) in enumerate(
-        zip(before, action_symbols(interactions.actions), then, strict=True)
-    ):
-        table.writerows([[*bits, f"act-{action}", row], [*ends, "", row]])
+    table.writerow([*bits, "action", "plan_id"])
+    for row, (begins, action, ends) in enumerate(zip(before, actions, then, strict=True)):
+        table.writerows([[*begins, action, row], [*ends, "", row]])
     return text.getvalue()
+
+
+def _named(symbols: Sequence[Symbol], interactions: Interactions) -> list[str]:
+    """Name action symbols after the choices that actions make, as far as each is of one."""
+    words = [chosen(action, interactions.origin) or "act" for action in interactions.actions]
+    pairs = {*zip(symbols, words, strict=True)}
+    if len(pairs) == len({*words}) == len({*symbols}) > 1:
+        return words
+    is_one = len(pairs) == len({*symbols})
+    return [f"{word if is_one else 'act'}-{symbol}" for symbol, word in zip(symbols, words, strict=True)]

@@ -119,7 +119,7 @@ def test_tables_that_cannot_be_are_refused(tmp_path):
         ("words.csv", "feature.mass,action.a,effect.x", words, "mass is text, as 'heavy'"),
         ("names.csv", "mass,a,x", words, "feature.mass, action.speed"),
         ("short.csv", "feature.mass,action.a,effect.x", [(1, 2)], "row 2 has 2 entries"),
-        ("twice.csv", "feature.mass,feature.mass,effect.x", words, "no header of different names"),
+        ("twice.csv", "feature.mass,feature.mass,effect.x", words, "two columns are called feature.mass"),
         ("many.csv", "feature.mass,choice.a,effect.x", [(1, n, 3) for n in range(65)], "holds 65 choices"),
         ("table.xls", "", [], "none of the tables"),
     ):
@@ -144,7 +144,7 @@ def test_tables_that_cannot_be_are_refused(tmp_path):
         ({"name": "x", "low": 0, "high": 1, "cell": 1e-6}, "1000000 cells"),
         ({"name": "x", "cell": 1, "tolerance": 0.1}, "under half of its cell"),
         ({"name": "open", "kind": "flag", "cell": 1}, "none of these for 0 and 1"),
-        ({"name": "X y"}, "must be a lower-case letter"),
+        ({"name": "X y"}, "has name = 'X y'; valid: a lower-case letter"),
         ({"name": "x", "kind": "colour"}, "axis of effects"),
     ],
 )  # fmt: skip

@@ -55,6 +55,29 @@ def test_bits_go_out_as_they_came_in(traces, tmp_path):
     np.testing.assert_array_equal(first.effects, second.effects)
     told = GivenSymbols(first).action_symbols(first.actions)
     assert told == GivenSymbols(second).action_symbols(second.actions)
+    assert [first.origin[one] for one in ("feature_names", "action_names")] == [
+        second.origin[one] for one in ("feature_names", "action_names")
+    ]
+
+
+def test_actions_in_traces_are_named_after_their_choices():
+    moves = np.eye(3, dtype=np.float32)[np.arange(12) % 3]
+    lit, none = np.arange(12)[:, None].astype(np.float32) % 2, np.zeros(12, dtype=bool)
+    data = Interactions(
+        lit, moves, 1 - 2 * lit, 1 - 2 * lit, none, none, none, lit[:, 0],
+        {"feature_names": ["lit"], "choices": [0, 1, 2], "action_names": ["do=flip", "do=turn", "do=3"]},
+    )  # fmt: skip
+
+    def named(*symbols: str) -> list[str]:
+        told = traces_text(
+            data, [Axis("lit", "flag")],
+            object_symbols=lambda rows: tuple("01"[int(one)] for one in rows[:, 0]),
+            action_symbols=lambda rows: tuple(symbols[n] for n in rows.argmax(1)),
+        )  # fmt: skip
+        return [row.split(",")[1] for row in told.splitlines()[1:6:2]]
+
+    assert named("00", "01", "10") == ["flip", "turn", "do-3"]
+    assert named("00", "01", "01") == ["act-00", "act-01", "act-01"]
 
 
 def test_angles_in_traces_stay_where_the_data_are():
