@@ -1,7 +1,7 @@
 """What a data set says of how it came about: `origin`, and what can be wrong with it."""
 
 import reprlib
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Annotated, Any, Literal
@@ -112,6 +112,15 @@ def is_explored(origin: Mapping[str, Any]) -> bool:
 def strategy_of(origin: Mapping[str, Any]) -> Strategy | None:
     """Return the strategy by which `neurosym explore` made a data set; None if it did not."""
     return STRATEGIES.get(str(origin["strategy"])) if is_explored(origin) else None
+
+
+def chosen(action: Sequence[float], origin: Mapping[str, Any]) -> str:
+    """Name what an action chooses, if all of it is one choice, like `gear=2` or `move=left`; else nothing."""
+    names, choices = origin.get("action_names", ()), origin.get("choices", ())
+    if len({name.partition("=")[0] for name in names}) != 1 or [*choices] != [*range(len(action))]:
+        return ""
+    what, _, value = names[int(np.argmax(action))].partition("=")
+    return legal_name(value if value[:1].isalpha() else f"{what} {value}")
 
 
 def mirrors_of(origin: Mapping[str, Any]) -> tuple[Mirror, ...]:

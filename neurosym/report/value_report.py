@@ -1,8 +1,8 @@
 """The page about data of a user's own: which things have which symbol, and what each action does to them."""
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from neurosym.data.category_names import Trait, traits_of
 from neurosym.data.interactions import Interactions
 from neurosym.files import read_json, read_text
 from neurosym.learning.training import TrainingReport, error_table
+from neurosym.report.charts import Axis, Chart, chart
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder, versions
 from neurosym.stages.plan_records import PlanRecord
@@ -21,14 +22,6 @@ from neurosym.world import Palette
 
 _DOTS = 600  # rows of the data that are drawn
 _SEED = 7
-
-
-class _Dot(NamedTuple):
-    """A row of the data in a picture: where it lies, from 0 to 1, and the colour of its category."""
-
-    x: float
-    y: float
-    colour: str
 
 
 def gather_values(folder: DomainFolder) -> dict[str, Any]:
@@ -56,8 +49,7 @@ def gather_values(folder: DomainFolder) -> dict[str, Any]:
             for one in sorted(domain.categories, key=lambda one: -seen[one.symbol])
             if seen[one.symbol]
         ],
-        "plotted": [domain.features[number] for number in axes],
-        "dots": [*_dots(data.features, symbols, axes, palette)],
+        "dots": _dots(data.features, symbols, domain.features, axes, palette),
         "does": _does(domain),
         "learned": report,
         "errors": error_table(report, names) if report else None,
@@ -79,15 +71,29 @@ def _telling(traits: Mapping[str, Sequence[Trait]], features: Sequence[str]) -> 
 
 
 def _dots(
-    features: Float[np.ndarray, "N F"], symbols: Sequence[str], axes: Sequence[int], palette: Palette
-) -> Iterator[_Dot]:
-    """Yield some rows; those of flags are strewn about a little, lest they lie upon each other."""
-    rng, chosen = np.random.default_rng(_SEED), features[:, [axes[0], axes[-1]]].astype(float)
-    low, room = chosen.min(0), np.maximum(np.ptp(chosen, axis=0), 1e-9)
-    strewn = np.array([len(np.unique(column)) < 12 for column in chosen.T]) * 0.08
-    for row in np.sort(rng.permutation(len(chosen))[:_DOTS]).tolist():
-        x, y = (chosen[row] - low) / room * (1 - strewn) + strewn * rng.uniform(size=2)
-        yield _Dot(round(float(x), 4), round(float(1 - y), 4), palette.hex(symbols[row]))
+    features: Float[np.ndarray, "N F"],
+    symbols: Sequence[str],
+    names: Sequence[str],
+    by: Sequence[int],
+    palette: Palette,
+) -> Chart:
+    """Draw some rows by two features, or one; few values are strewn a little, lest dots lie on each other."""
+    rng = np.random.default_rng(_SEED)
+    rows = np.sort(rng.permutation(len(features))[:_DOTS])
+    points, codes = features[rows][:, [by[0], by[-1]]].astype(float), np.array(symbols)[rows]
+    room = np.ptp(points, axis=0) * 0.08 + 1e-6
+    few = np.array([len(np.unique(column)) < 12 for column in points.T])
+    points += few * room * rng.uniform(-0.5, 0.5, points.shape)
+    low, high = points.min(0) - room / 4, points.max(0) + room / 4
+    told, seen = [names[by[0]], names[by[-1]]], dict.fromkeys(codes.tolist())
+    return chart(
+        "dots",
+        "Which things have which symbol",
+        f"{len(rows):,} rows by {' and '.join(dict.fromkeys(told))}, in the colours of their symbols.",
+        (Axis(told[0], low[0], high[0]), Axis(told[1], low[1], high[1])),
+        {symbol: points[codes == symbol] for symbol in seen},
+        [palette.hex(symbol) for symbol in seen],
+    )
 
 
 def _does(domain: ValueDomain) -> dict[str, list[tuple[str, str, float, str]]]:

@@ -15,8 +15,9 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import Bool, Float
-from neurosym.data.axes import Axis, axes_in, legal_name
+from neurosym.data.axes import Axis, axes_in
 from neurosym.data.interactions import Interactions
+from neurosym.data.origin import chosen
 from neurosym.errors import InvalidValue
 from neurosym.operators import (
     MIN_CHANCE,
@@ -114,15 +115,6 @@ def _operators(
     if not operators:
         raise InvalidValue("No action changes anything by more than half a cell, so nothing can be planned.")
     return tuple(operators[one] for one in sorted(operators))
-
-
-def chosen(action: Sequence[float], origin: Mapping[str, Any]) -> str:
-    """Name what an action chooses, if all of it is one choice, like `gear=2` or `move=left`; else nothing."""
-    names, choices = origin.get("action_names", ()), origin.get("choices", ())
-    if len({name.partition("=")[0] for name in names}) != 1 or [*choices] != [*range(len(action))]:
-        return ""
-    what, _, value = names[int(np.argmax(action))].partition("=")
-    return legal_name(value if value[:1].isalpha() else f"{what} {value}")
 
 
 @dataclass(frozen=True)

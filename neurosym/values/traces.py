@@ -13,10 +13,10 @@ import numpy as np
 from neurosym.checks import Float
 from neurosym.data.axes import Axis
 from neurosym.data.interactions import Interactions
+from neurosym.data.origin import chosen
 from neurosym.errors import InvalidValue
 from neurosym.operators import Categorise, Category, OperatorTable, Primitive, Symbol
 from neurosym.values.domain import shown_by
-from neurosym.values.outcomes import chosen
 
 _MOST_BITS = 64
 
@@ -112,7 +112,7 @@ def traces_text(
 
 def _named(symbols: Sequence[Symbol], interactions: Interactions) -> list[str]:
     """Name action symbols after the choices that actions make, as far as each is of one."""
-    words = [chosen(action, interactions.origin) or "act" for action in interactions.actions]
+    words = [chosen(action, interactions.origin) or "act" for action in interactions.actions.tolist()]
     pairs = {*zip(symbols, words, strict=True)}
     if len(pairs) == len({*words}) == len({*symbols}) > 1:
         return words

@@ -102,7 +102,8 @@ def test_a_csv_of_a_room_becomes_a_plan_in_six_commands(tmp_path, monkeypatch, c
     assert re.search(r"door-\d+ +\d+% +door over 0.5", said)
     assert neurosym("report", "room") == 0
     page = Path("room/report.html").read_text()
-    assert page.count("<circle") == 600
+    drawn = re.search(r'aria-label="Which things have which symbol. 600 rows by .*?</svg>', page, re.DOTALL)
+    assert drawn[0].count("M") == 600
     assert "door under 0.5" in page
     assert neurosym("compare", "room", "--tasks", "4") == 0
     assert re.search(r"valid by the rows of the data +\d+% +100%", capsys.readouterr().out)
