@@ -319,9 +319,9 @@ def compare(
     the planner that made it. Interrupt it when you like: what is measured is kept in DIR/comparison, and the
     same command goes on.
     """
-    from neurosym.evaluation.comparison import Order, compare_tasks
+    from neurosym.evaluation.drawn_tasks import Order, compare_tasks
     from neurosym.evaluation.summary import summarise
-    from neurosym.evaluation.value_comparison import compare_values, rows_of
+    from neurosym.evaluation.value_comparison import ACTIONS
     from neurosym.planners.registry import planner_named
     from neurosym.stages.value_stages import is_of_values
     from neurosym.stages.verdicts import Tries, judge_tries
@@ -332,22 +332,9 @@ def compare(
     for name in planners:
         planner_named(name, folder)
     domain = opened(folder)
-    if is_of_values(domain):
+    if of_values := is_of_values(domain):
         refuse_options(task=task, tolerance=None if tolerance == TOLERANCE else tolerance)
-        with progress_bar("comparing") as advance:
-            found = compare_values(
-                domain,
-                planners,
-                range(seed, seed + tasks),
-                things=objects,
-                time_limit=time_limit,
-                progress=advance,
-            )
-        title = f"{counted(tasks, 'task')} drawn from seed {seed}, to which three actions lead"
-        show_table("the same tasks to each planner", [title, *planners], rows_of(found))
-        answer(found)
-        return 0
-    order = Order(domain.path, objects, planners, tolerance, time_limit, task)
+    order = Order(domain.path, objects, planners, None if of_values else tolerance, time_limit, task)
     records = []
     with domain.claimed(Claim.SHARED), progress_bar("comparing") as advance:
         for record in compare_tasks(order, range(seed, seed + tasks), workers=workers):
@@ -355,19 +342,23 @@ def compare(
             advance(len(records), tasks)
     comparison, file = summarise(records, planners), order.place / "comparison.json"
     write_json(file, comparison)
-    kind = f"{counted(objects, 'object')}, {1000 * tolerance:g} mm" + (f", {task}" if task else "")
+    within = f"{ACTIONS} actions" if of_values else f"{1000 * tolerance:g} mm"
+    kind = f"{counted(objects, 'object')}, {within}" + (f", {task}" if task else "")
     seeds = f"seed {seed}" if tasks == 1 else f"seeds {seed} to {seed + tasks - 1}"
     _show(comparison, f"{counted(comparison.counted, 'task')} drawn with {seeds}, {kind}")
     say(f"wrote {file}, and a file for each task")
+    reached = (
+        ("reached_with_replanning", "with replanning") if comparison.executed else ("valid", "by the data")
+    )
     tries = {
-        name: Tries(tally.reached_with_replanning, tally.found, comparison.counted)
+        name: Tries(getattr(tally, reached[0]), tally.found, comparison.counted)
         for name, tally in comparison.planners.items()
     }
-    verdict = judge_tries(tries, how="with replanning", tolerance=tolerance)
+    verdict = judge_tries(tries, how=reached[1], tolerance=tolerance)
     for line in verdict.lines:
         say(line)
     like = "" if objects == 1 else f" --objects {objects}"
-    like += "" if task is None else f" --task {task}"
+    like += f" --actions {ACTIONS}" if of_values else "" if task is None else f" --task {task}"
     like += "" if tolerance == TOLERANCE else f" --tolerance {tolerance:g}"
     say_next(f"neurosym new-problem {quoted(folder)} --name mine --seed {seed}{like}")
     answer(comparison, file=str(file), verdict=verdict)
@@ -381,15 +372,17 @@ def _show(comparison: "Comparison", title: str) -> None:
     def shares(field: str) -> Iterator[str]:
         return (f"{getattr(tally, field) / tasks:.0%}" for tally in tallies)
 
+    tells_places = any(one.performed for one in tallies)  # which data of a user's own do not
+    own = [f"{one.own} of {one.performed}" for one in tallies]
+    hows = (", followed blindly", "reached"), (" with replanning", "reached_with_replanning")
     rows = [
         ["plan found", *shares("found")],
         ["valid in the model", *shares("valid")],
-        ["predicted to arrive by the network", *shares("predicted")],
-        ["reached, followed blindly", *shares("reached")],
-        ["reached with replanning", *shares("reached_with_replanning")],
+        *([["predicted to arrive by the network", *shares("predicted")]] if tells_places else []),
+        *([[f"reached{how}", *shares(field)] for how, field in hows] if comparison.executed else []),
         ["primitives, mean", *("-" if one.steps is None else f"{one.steps:.2f}" for one in tallies)],
         ["planning, median [s]", *("-" if one.seconds is None else f"{one.seconds:.3f}" for one in tallies)],
-        ["own steps of those performed then", *(f"{one.own} of {one.performed}" for one in tallies)],
+        *([["own steps of those performed then", *own]] if tells_places else []),
     ]
     show_table("the same tasks to each planner", [title, *comparison.planners], rows)
     if comparison.met_at_start:

@@ -5,11 +5,9 @@ is judged three times: by the operators' promises, by the network's predictions,
 once followed blindly and once with replanning by the planner that made it.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
-from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Generic, Literal, TypeVar
 
 import msgspec
 import numpy as np
@@ -17,23 +15,21 @@ from numpy import ndarray
 
 from neurosym.checks import Float
 from neurosym.choices import AnyTask
-from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidPlanner, InvalidValue, UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.performance import Execution, summarise_run
-from neurosym.files import check_writable, digest, locked, make_folder, read_json, write_json
 from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.operators import Symbol
 from neurosym.planners.planner import PlanResult, PlanStatus, PredictEffects
 from neurosym.planners.registry import Replanner, plan, planner_named
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import COMPARISONS, GROUNDING, MODEL, WORLD
+from neurosym.stages.layout import GROUNDING, MODEL, WORLD
 from neurosym.stages.problem_making import draw_any_task, sight_of_pairs
 from neurosym.tasks.task import is_reached, is_relational, with_places
 from neurosym.tasks.transition import PlanStep, Steps, named_steps, primitives, validate
 from neurosym.world import World
 from neurosym.worlds.task_drawing import Fits, draw_problem
-from neurosym.worlds.workers import in_order, worker_pool
 from neurosym.worlds.world_file import read_world
 
 
@@ -91,10 +87,14 @@ class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return self.found and not self.invalid
 
 
-class TaskRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+Asked = TypeVar("Asked")
+"""A task: a `Problem`, or a `ValueProblem`."""
+
+
+class TaskRecord(msgspec.Struct, Generic[Asked], frozen=True, forbid_unknown_fields=True):
     """What each planner made of one task: its attempts, by name; none if the goal is met at the start."""
 
-    problem: Problem
+    problem: Asked
     met_at_start: bool
     attempts: dict[str, Attempt] = {}
 
@@ -106,7 +106,7 @@ def compare(
     *,
     time_limit: float | None = None,
     executed: bool = True,
-) -> TaskRecord:
+) -> TaskRecord[Problem]:
     """Have each planner plan for a task, and judge its plan.
 
     Args:
@@ -197,67 +197,8 @@ def _worst(problem: Problem, positions: Float[np.ndarray, "M 3"]) -> float:
     return round(max(problem.distances(positions).values(), default=0.0), 6)
 
 
-# The tasks of a comparison: each drawn and measured once, and kept in a file, until the domain changes
-
-_AHEAD = 2  # tasks handed out for each worker
-_Digests = dict[str, str]
-"""SHA-256 of the files that a record depends on, by name."""
-
-
-class _Kept(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """A record as it lies in its file, with the user's ceiling for each planner [s], if there was one."""
-
-    made_from: _Digests
-    time_limit: float | None
-    record: TaskRecord
-
-
-class Order(msgspec.Struct, frozen=True):
-    """Which tasks to compare which planners on.
-
-    Attributes:
-        folder: The domain folder.
-        objects: Objects in each task.
-        planners: Whom to compare.
-        tolerance: How near each object must come to its goal [m].
-        time_limit: The user's ceiling for each planner [s]; its own if not given.
-        task: What the tasks ask for; as the paper draws them, if not given.
-    """
-
-    folder: Path
-    objects: int
-    planners: tuple[str, ...]
-    tolerance: float
-    time_limit: float | None = None
-    task: AnyTask | None = None
-
-    @property
-    def place(self) -> Path:
-        """Folder of the records."""
-        kind = f"{self.objects}-objects-{1000 * self.tolerance:g}-mm"
-        return self.folder / COMPARISONS / (f"{self.task}-{kind}" if self.task else kind)
-
-    def file(self, seed: int) -> Path:
-        """Return where the record of a task lies."""
-        return self.place / f"task-{seed:05d}.json"
-
-    def kept(self, seed: int, made_from: _Digests) -> TaskRecord | None:
-        """Read a record, unless there is none, or one of another domain."""
-        try:
-            kept = read_json(self.file(seed), _Kept)
-        except InvalidFile:
-            return None
-        is_current = (kept.made_from, kept.time_limit) == (made_from, self.time_limit)
-        return kept.record if is_current else None
-
-    def planners_left(self, record: TaskRecord | None) -> tuple[str, ...]:
-        """Name those whom a record does not tell of."""
-        done = () if record is None else self.planners if record.met_at_start else record.attempts
-        return tuple(name for name in self.planners if name not in done)
-
-
 class Bench:
-    """A domain folder, loaded to draw tasks from and to compare planners in.
+    """A domain folder, loaded to draw tasks from and to compare planners in; `ValueBench` is another.
 
     Attributes:
         categorise: Gives objects their symbols.
@@ -301,55 +242,8 @@ class Bench:
             drawn = draw_any_task(world, of, self.setting.grounding, task, sight=self._sight, **asked)
         return msgspec.structs.replace(drawn, tolerance=tolerance)
 
-
-def compare_tasks(order: Order, seeds: Sequence[int], *, workers: int = 1) -> Iterator[TaskRecord]:
-    """Compare planners on drawn tasks, in any number of processes; what is on file is not done again.
-
-    Args:
-        order: What to compare.
-        seeds: A task is drawn with each.
-        workers: How many processes.
-
-    Raises:
-        StageMissing: If nothing was learned or compiled yet.
-        WorkerDied: If a process ends.
-    """
-    folder = DomainFolder(order.folder)
-    made_from = {name: digest(folder.require(name)) for name in (WORLD, MODEL, GROUNDING)}
-    make_folder(order.place)
-    check_writable(order.place / "comparison.json")
-    kept = {seed: order.kept(seed, made_from) for seed in seeds}
-    left = [seed for seed, record in kept.items() if order.planners_left(record)]
-    measured = _measure_all(order, made_from, left, workers)
-    for seed, record in kept.items():
-        found = next(measured) if seed in left else record
-        assert found is not None, "measured now or before"
-        yield found
-
-
-def _measure_all(
-    order: Order, made_from: _Digests, seeds: Sequence[int], workers: int
-) -> Iterator[TaskRecord]:
-    if workers == 1 or not seeds:
-        yield from (_measure(order, made_from, seed) for seed in seeds)
-        return
-    with worker_pool(min(workers, len(seeds))) as submit:
-        yield from in_order(seeds, lambda seed: submit(_measure, order, made_from, seed), _AHEAD * workers)
-
-
-@lru_cache(maxsize=1)
-def _bench(folder: Path, *_made_from: str) -> Bench:
-    """Load a domain folder, once in each process as long as it does not change."""
-    return Bench(DomainFolder(folder))
-
-
-def _measure(order: Order, made_from: _Digests, seed: int) -> TaskRecord:
-    """Do what is missing of a task, and write its record."""
-    bench, known = _bench(order.folder, *made_from.values()), order.kept(seed, made_from)
-    problem = known.problem if known else bench.draw(order.objects, seed, order.tolerance, order.task)
-    record = compare(bench.setting, problem, order.planners_left(known), time_limit=order.time_limit)
-    with locked(order.place):  # another process may compare other planners on the same task
-        if known := order.kept(seed, made_from) or known:
-            record = msgspec.structs.replace(record, attempts={**known.attempts, **record.attempts})
-        write_json(order.file(seed), _Kept(made_from, order.time_limit, record))
-    return record
+    def compare(
+        self, problem: Problem, planners: Sequence[str], *, time_limit: float | None
+    ) -> TaskRecord[Problem]:
+        """Have each planner plan for a task, and judge its plan; see `compare`."""
+        return compare(self.setting, problem, planners, time_limit=time_limit)

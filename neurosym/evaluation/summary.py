@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -59,12 +60,14 @@ class Comparison(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         met_at_start: How many of them need no step; they are left out of everything else.
         solved_by_none: How many no planner has a plan for.
         planners: How each planner did.
+        executed: Whether there was a world in which plans could be followed.
     """
 
     tasks: int
     met_at_start: int
     solved_by_none: int
     planners: dict[str, Tally]
+    executed: bool = True
 
     @property
     def counted(self) -> int:
@@ -82,18 +85,20 @@ def comparisons_of(folder: Path) -> dict[str, Comparison]:
     return {path.parent.name: read_json(path, Comparison) for path in paths}
 
 
-def summarise(records: Sequence[TaskRecord], planners: Sequence[str]) -> Comparison:
+def summarise(records: Sequence[TaskRecord[Any]], planners: Sequence[str]) -> Comparison:
     """Count what became of the tasks."""
     asked = [record for record in records if not record.met_at_start]
+    plans = [attempt for record in asked for attempt in record.attempts.values() if attempt.found]
     return Comparison(
         tasks=len(records),
         met_at_start=len(records) - len(asked),
         solved_by_none=sum(not any(record.attempts[name].found for name in planners) for record in asked),
         planners={name: _tally(asked, name, planners) for name in planners},
+        executed=any(one.open_loop for one in plans) or not plans,
     )
 
 
-def _tally(records: Sequence[TaskRecord], name: str, planners: Sequence[str]) -> Tally:
+def _tally(records: Sequence[TaskRecord[Any]], name: str, planners: Sequence[str]) -> Tally:
     attempts = [record.attempts[name] for record in records]
     found = [attempt for attempt in attempts if attempt.found]
     blind = [attempt.open_loop for attempt in attempts if attempt.open_loop]
@@ -120,7 +125,7 @@ def _counts(reasons: Iterable[str]) -> dict[str, int]:
     return dict(sorted(Counter(filter(None, reasons)).items(), key=lambda item: (-item[1], item[0])))
 
 
-def _predicts_goal(attempt: Attempt, record: TaskRecord) -> bool:
+def _predicts_goal(attempt: Attempt, record: TaskRecord[Any]) -> bool:
     """Say whether the network predicts that a plan ends at the goal."""
     miss = attempt.predicted_miss
     return miss is not None and miss <= record.problem.tolerance
@@ -135,7 +140,7 @@ def _why_invalid(attempt: Attempt) -> str:
     return reasons.get(attempt.invalid, "")
 
 
-def why_not_found(record: TaskRecord, name: str, planners: Sequence[str]) -> str:
+def why_not_found(record: TaskRecord[Any], name: str, planners: Sequence[str]) -> str:
     """Say in a few words why a planner has no plan where another has; empty if it has, or none has."""
     attempt = record.attempts[name]
     others = [record.attempts[other] for other in planners if record.attempts[other].found]

@@ -11,7 +11,7 @@ from neurosym.data.category_names import Trait, traits_of
 from neurosym.data.interactions import Interactions
 from neurosym.files import read_json, read_text
 from neurosym.learning.training import TrainingReport, error_table
-from neurosym.report.charts import Axis, Chart, chart
+from neurosym.report.charts import Axis, chart
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder, versions
 from neurosym.stages.plan_records import PlanRecord
@@ -76,7 +76,7 @@ def _dots(
     names: Sequence[str],
     by: Sequence[int],
     palette: Palette,
-) -> Chart:
+) -> dict[str, Any]:
     """Draw some rows by two features, or one; few values are strewn a little, lest dots lie on each other."""
     rng = np.random.default_rng(_SEED)
     rows = np.sort(rng.permutation(len(features))[:_DOTS])

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
 
 USUAL_REPLANS = 10
 """How many new plans are made on the way, unless the user says otherwise."""
+_DRAWS = 50  # of things, until random operators lead them elsewhere
 
 
 def is_of_values(folder: DomainFolder) -> bool:
@@ -195,34 +196,46 @@ def drawn_problem(
     rng = np.random.default_rng(seed)
     data = Interactions.load(folder.require(layout.INTERACTIONS))
     categorise = symbols_of(folder).object_symbols
-    rows = rng.choice(len(data), size=count, replace=count > len(data))
     names = [f"thing-{number:02d}" for number in range(1, count + 1)]
-    things = tuple(
-        known_to(Thing(one, tuple(map(float, data.features[row]))), domain, categorise)
-        for one, row in zip(names, rows.tolist(), strict=True)
-    )
     told = f"new-problem with seed {seed}" + (", goals by hand" if goals else f" and {actions} actions")
-    if goals:
-        return ValueProblem(FORMAT, name, things, {key: dict(value) for key, value in goals.items()}, told)
-    usual: dict[str, Goal] = {domain.axes[0].name: domain.cells[0].centre(0)}
-    task = ValueTask(ValueProblem(FORMAT, name, things, {names[0]: usual}, told), domain)
+    for _ in range(_DRAWS):
+        rows = rng.choice(len(data), size=count, replace=count > len(data))
+        things = tuple(
+            known_to(Thing(one, tuple(map(float, data.features[row]))), domain, categorise)
+            for one, row in zip(names, rows.tolist(), strict=True)
+        )
+        asked = goals or _wandered(things, domain, actions, rng)
+        if asked:
+            return ValueProblem(
+                FORMAT, name, things, {key: dict(value) for key, value in asked.items()}, told
+            )
+    raise InvalidValue(
+        "Nothing can be done with things of these data, as far as they were drawn; give --goal."
+    )
+
+
+def _wandered(
+    things: tuple[Thing, ...], domain: ValueDomain, actions: int, rng: np.random.Generator
+) -> dict[str, dict[str, Goal]]:
+    """Return where random operators lead things, as goals; nothing if they lead to where these are."""
+    anything: dict[str, Goal] = {domain.axes[0].name: domain.cells[0].centre(0)}
+    task = ValueTask(ValueProblem(FORMAT, "wandered", things, {things[0].name: anything}), domain)
     states = dict(task.start)
     for _ in range(actions):
-        thing = names[int(rng.integers(count))]
+        thing = things[int(rng.integers(len(things)))].name
         possible = [one for one in domain.operators if not task.refusal(thing, states[thing], one)]
         if possible:
             chosen = possible[int(rng.integers(len(possible)))]
             states[thing] = task.apply(states[thing], chosen) or states[thing]
-    reached: dict[str, dict[str, Goal]] = {
+    return {
         thing: {
             cells.axis.name: round(cells.centre(there), 6)
-            for cells, here, there in zip(domain.cells, task.start[thing], states[thing], strict=True)
+            for cells, here, there in zip(domain.cells, task.start[thing], state, strict=True)
             if here != there
         }
-        for thing in names
+        for thing, state in states.items()
+        if state != task.start[thing]
     }
-    changed = {thing: some for thing, some in reached.items() if some}
-    return ValueProblem(FORMAT, name, things, changed or task.problem.goals, told)
 
 
 def task_of(folder: DomainFolder, name: str) -> ValueTask:

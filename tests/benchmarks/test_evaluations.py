@@ -32,7 +32,7 @@ def attempt(*, valid: bool = True, blind: bool = True, replanned: bool = True, *
     return msgspec.structs.replace(found, **runs, promised_miss=0.0, predicted_miss=0.0, **changes)
 
 
-def record(number: int, bfs: Attempt, pddl: Attempt, **others: Attempt) -> TaskRecord:
+def record(number: int, bfs: Attempt, pddl: Attempt, **others: Attempt) -> TaskRecord[Problem]:
     item = SceneObject("item-01", "00", (0.05, 0.05, 0.05, 0.0), (0.6, 0.0, 0.025))
     problem = Problem(f"drawn-{number:05d}", (item,), {"item-01": (0.7, 0.0, 0.025)})
     return TaskRecord(problem, False, {"bfs": bfs, "fast-downward": pddl, **others})

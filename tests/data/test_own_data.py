@@ -106,7 +106,11 @@ def test_a_csv_of_a_room_becomes_a_plan_in_six_commands(tmp_path, monkeypatch, c
     assert drawn[0].count("M") == 600
     assert "door under 0.5" in page
     assert neurosym("compare", "room", "--tasks", "4") == 0
-    assert re.search(r"valid by the rows of the data +\d+% +100%", capsys.readouterr().out)
+    assert re.search(r"valid in the model +\d+% +100%", capsys.readouterr().out)
+    before = {path: path.stat().st_mtime_ns for path in Path("room/comparison").glob("*/task-*.json")}
+    assert len(before) == 4
+    assert neurosym("compare", "room", "--tasks", "4") == 0
+    assert before == {path: path.stat().st_mtime_ns for path in before}
     assert "no world with a table" in refusal(capsys, "show", "room", "--problem", "task-01")
     assert "there is no --task or --tolerance" in refusal(
         capsys, "compare", "room", "--task", "swap", "--tolerance", "0.02"

@@ -10,7 +10,8 @@ from command_line import neurosym
 from toy_domain import WORLD, grounding, problem
 from toy_learning import an_outcome
 
-from neurosym.evaluation.comparison import Bench, Order, Setting, compare, compare_tasks
+from neurosym.evaluation.comparison import Bench, Setting, compare
+from neurosym.evaluation.drawn_tasks import Order, compare_tasks
 from neurosym.evaluation.summary import summarise, why_not_found
 from neurosym.execution.performance import failure
 from neurosym.execution.record import Replanning, Run, StepRecord

@@ -4,7 +4,7 @@ Finished parts are kept and not measured again, so that the run can be interrupt
 """
 
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
@@ -20,9 +20,8 @@ from tools.benchmarks.tables import counts, document, listed, mean_of, number, o
 
 DISCS = {"discs": (), "discs-quick": ("--regime", "quick")}  # what is typed after `train`, by name
 _HOWS = ("blind", "replanned")
+Columns = Mapping[str, Callable[[Any], str]]  # what stands in the columns of a table, by their heads
 WHY = (
-    "**What changed since.** These figures were measured before cells were fitted to usual steps, and "
-    "before runs were judged by values and not by cells. They are to be measured anew.",
     "**What an action is.** In the worlds it is a choice. The pendulum has its greatest torque to the left, "
     "none, or to the right, held for 4 steps of the environment (0.2 s). The cube is pushed from one of four "
     "sides, by about 3 or 9 cm, and lies square to the table before each push.",
@@ -124,78 +123,34 @@ def of_discs(runs: Sequence[Any]) -> dict[str, Any]:
 
 def page(told: Mapping[str, Any]) -> str:
     """Write the page."""
-    missing, sets = told["missing"], {name: one for name, one in told.items() if name in SETS}
+    missing, sets = (
+        told["missing"],
+        {name: {"name": name, **one} for name, one in told.items() if name in SETS},
+    )
+    trained = {" ".join(("train", *DISCS[name])): told[name] for name in DISCS if name in told}
     return document(
         "# Data of any kind, from rows to plans that are performed",
         "By `make evaluate-any-data`, which wrote this page and `any-data.json`. Each data set goes the "
         "whole way by the commands of [data of your own](../data.md): `init --data`, `train`, `distill`, "
         "`compile-domain`, and for each task `new-problem`, `plan`, `validate` and `execute`. "
         f"Machine: {listed(told['machine'])}.",
-        table(
-            "data set | what it is | rows | bits of things, of actions | seeds of training",
-            [
-                [
-                    name,
-                    SETS[name].about,
-                    f"{one['rows']:,}",
-                    "{}, {}".format(*SETS[name].bits),
-                    _beside(one["seeds"]),
-                ]
-                for name, one in sets.items()
-            ],
-        ),
+        _table(_SETS, sets),
         "## Symbols",
         "R2 of effects on held-out rows, the mean over axes: through the bits, by a network without bits, "
         "and by the best predictor that looks at nothing. Operators are those of the domain. They "
         "are counted as the verdict of `compile-domain` does: a promise is kept where the likeliest outcome "
         "came in half of the rows, of five or more. Figures of several seeds of training stand side by side.",
-        table(
-            "data set | through the bits | without bits | trivial | operators | keep their promise",
-            [
-                [
-                    name,
-                    over_seeds(one["r2_bits_by_seed"], "{:.2f}", 2),
-                    number(one["r2_direct"]),
-                    number(one["r2_trivial"]),
-                    _beside(one["operators"]),
-                    ", ".join(f"{n} of {of}" for n, of in zip(one["kept"], one["judged"], strict=True)),
-                ]
-                for name, one in sets.items()
-            ],
-        ),
+        _table(_SYMBOLS, sets),
         "## Tasks",
         "Ten for each data set and seed of training, without those that are met at the start. "
         f"{way.PLANNER} plans. Starts that are not fixed are drawn with seed {way.TASKS_SEED}. A plan "
         "counts if unified-planning's validator says that it is one. It is performed blindly "
-        f"(`--replans 0`), and with up to {way.REPLANS} new plans where it would miss. Cells say "
-        "whether a goal is reached; *to the letter* counts those of the latter whose values meet it, "
-        "too.",
-        table(
-            "data set | tasks | valid plans | reached blindly | with new plans | to the letter | steps kept",
-            [
-                [
-                    name,
-                    str(one["tasks"]),
-                    str(one["planned"]),
-                    *(str(one.get(f"executed_{how}", "no world")) for how in _HOWS),
-                    str(one.get("exactly_replanned", "-")),
-                    f"{one['steps_as_promised']} of {one['steps']}" if "steps" in one else "-",
-                ]
-                for name, one in sets.items()
-            ],
-        ),
+        f"(`--replans 0`), and with up to {way.REPLANS} new plans where it would miss. A goal is reached "
+        "where values meet it, or come as near as the tolerance of the axis, or half a cell; *to the "
+        "letter* counts those of the latter that meet it without.",
+        _table(_TASKS, sets),
         "## What did not come out",
-        table(
-            "data set | no plan | missed blindly | missed with new plans",
-            [
-                [
-                    name,
-                    counts(one["not_planned"]),
-                    *(counts(one["missed"][how]) if "missed" in one else "-" for how in _HOWS),
-                ]
-                for name, one in sets.items()
-            ],
-        ),
+        _table(_MISSED, sets),
         *WHY,
         *([f"Not measured here: {'; '.join(missing)}."] if missing else []),
         "## The discs of the guide",
@@ -203,29 +158,62 @@ def page(told: Mapping[str, Any]) -> str:
         "seeds of training. Errors are summed over both axes. What each symbol does to each category "
         "counts as kept if it mostly turns out in one way, standing still included; *of these move* "
         "is as the verdict counts.",
-        table(
-            "training | errors, as a share of those of always zero | keep their promise | of these move",
-            [
-                [
-                    " ".join(("train", *options)),
-                    _beside(f"{100 * share:.0f} %" for share in told[name]["error"]),
-                    _beside(map("{} of {}".format, told[name]["pairs_kept"], told[name]["pairs"])),
-                    _beside(map("{} of {}".format, told[name]["kept"], told[name]["judged"])),
-                ]
-                for name, options in DISCS.items()
-                if name in told
-            ],
-        ),
+        _table(_DISCS, trained, "training"),
         *(
             [learners.TITLE, learners.ABOUT, learners.tables(told[learners.PREFIX])]
             if learners.PREFIX in told
             else []
         ),
-    )  # fmt: skip
+    )
+
+
+def _table(columns: Columns, sets: Mapping[str, Any], head: str = "data set") -> str:
+    """Write a table: a row for each data set, with what each column says of it."""
+    rows = [[name, *(told(one) for told in columns.values())] for name, one in sets.items()]
+    return table(" | ".join((head, *columns)), rows)
+
+
+_SETS: Columns = {
+    "what it is": lambda one: SETS[one["name"]].about,
+    "rows": lambda one: f"{one['rows']:,}",
+    "bits of things, of actions": lambda one: "{}, {}".format(*SETS[one["name"]].bits),
+    "seeds of training": lambda one: _beside(one["seeds"]),
+}
+_SYMBOLS: Columns = {
+    "through the bits": lambda one: over_seeds(one["r2_bits_by_seed"], "{:.2f}", 2),
+    "without bits": lambda one: number(one["r2_direct"]),
+    "trivial": lambda one: number(one["r2_trivial"]),
+    "operators": lambda one: _beside(one["operators"]),
+    "keep their promise": lambda one: _of(one["kept"], one["judged"]),
+}
+_TASKS: Columns = {
+    "tasks": lambda one: str(one["tasks"]),
+    "valid plans": lambda one: str(one["planned"]),
+    "reached blindly": lambda one: str(one.get("executed_blind", "no world")),
+    "with new plans": lambda one: str(one.get("executed_replanned", "no world")),
+    "to the letter": lambda one: str(one.get("exactly_replanned", "-")),
+    "steps kept": lambda one: f"{one['steps_as_promised']} of {one['steps']}" if "steps" in one else "-",
+}
+_MISSED: Columns = {
+    "no plan": lambda one: counts(one["not_planned"]),
+    "missed blindly": lambda one: counts(one.get("missed", {}).get("blind", {})),
+    "missed with new plans": lambda one: counts(one.get("missed", {}).get("replanned", {})),
+}
+_DISCS: Columns = {
+    "errors, as a share of those of always zero": lambda one: _beside(
+        f"{100 * share:.0f} %" for share in one["error"]
+    ),
+    "keep their promise": lambda one: _of(one["pairs_kept"], one["pairs"]),
+    "of these move": lambda one: _of(one["kept"], one["judged"]),
+}
 
 
 def _beside(values: Any) -> str:
     return ", ".join(map(str, values))
+
+
+def _of(some: Sequence[int], every: Sequence[int]) -> str:
+    return _beside(map("{} of {}".format, some, every))
 
 
 def main(

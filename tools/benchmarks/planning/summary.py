@@ -8,6 +8,7 @@ import numpy as np
 
 from neurosym.evaluation.comparison import Attempt, TaskRecord
 from neurosym.evaluation.summary import summarise as compared
+from neurosym.problems import Problem
 from tools.benchmarks.jobs import Found, machine
 from tools.benchmarks.planning import figures, jobs, measures
 from tools.benchmarks.planning.jobs import COMPARED, SIZES, Agenda
@@ -22,6 +23,7 @@ PAPER = {
 MEASURES = ("found", "valid", "reached", "reached_with_replanning")
 Entries = Sequence[Mapping[str, Any]]
 Figures = dict[str, Any]
+_Record = TaskRecord[Problem]
 
 
 def summarise(found: Found, agenda: Agenda) -> Figures:
@@ -64,8 +66,8 @@ def _of_size(found: Found, names: Iterable[str], kind: str) -> list[Any]:
     return _entries(found, chosen, "")
 
 
-def _records(found: Found, agenda: Agenda, domain: str, tolerance: float, kind: str) -> list[TaskRecord]:
-    return msgspec.convert(_of_size(found, agenda.table3(domain, tolerance), kind), list[TaskRecord])
+def _records(found: Found, agenda: Agenda, domain: str, tolerance: float, kind: str) -> list[_Record]:
+    return msgspec.convert(_of_size(found, agenda.table3(domain, tolerance), kind), list[_Record])
 
 
 def _table3(found: Found, agenda: Agenda, tolerance: float) -> Figures:
@@ -82,7 +84,7 @@ def _table3(found: Found, agenda: Agenda, tolerance: float) -> Figures:
     return {strategy: {kind: cell(domains, kind) for kind in SIZES} for strategy, domains in of_seeds.items()}
 
 
-def table3_cell(by_seed: Mapping[str, Sequence[TaskRecord]]) -> Figures:
+def table3_cell(by_seed: Mapping[str, Sequence[_Record]]) -> Figures:
     """Say which share of the tasks each planner solved and reached: mean and spread over seeds."""
     known = {seed: compared(records, COMPARED) for seed, records in by_seed.items() if records}
     cell: Figures = {}
@@ -102,7 +104,7 @@ def table3_cell(by_seed: Mapping[str, Sequence[TaskRecord]]) -> Figures:
     return cell
 
 
-def _reasons(records: Sequence[TaskRecord]) -> Figures:
+def _reasons(records: Sequence[_Record]) -> Figures:
     """Count why planners disagreed, and why goals were missed."""
     comparison = compared(records, COMPARED)
     told = {name: msgspec.to_builtins(one) for name, one in comparison.planners.items()}
@@ -120,7 +122,7 @@ def _reasons(records: Sequence[TaskRecord]) -> Figures:
 
 def symbolic_cell(entries: Entries) -> Figures:
     """Say how plans for symbolic tasks compare: valid, found, and how long beside the fewest steps."""
-    records = msgspec.convert([entry["record"] for entry in entries], list[TaskRecord])
+    records = msgspec.convert([entry["record"] for entry in entries], list[_Record])
     network, searched, pddl, exact = (
         [record.attempts[name] for record in records]
         for name in ("bfs", "bfs-operators", "fast-downward", "counting")
@@ -182,7 +184,7 @@ def disturbed(entries: Entries) -> Figures:
     }
 
 
-def _costs(entries: Entries, records: Sequence[TaskRecord]) -> Figures:
+def _costs(entries: Entries, records: Sequence[_Record]) -> Figures:
     """Compare plans made with and without costs, followed blindly, on the tasks that both have a plan for."""
     by_task = {one.problem.name: one.attempts["fast-downward"] for one in records if not one.met_at_start}
     pairs = [(by_task[entry["task"]], entry) for entry in entries if entry["task"] in by_task]
