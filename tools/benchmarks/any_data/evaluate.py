@@ -144,10 +144,10 @@ def page(told: Mapping[str, Any]) -> str:
         "## Tasks",
         "Ten for each data set and seed of training, without those that are met at the start. "
         f"{way.PLANNER} plans. Starts that are not fixed are drawn with seed {way.TASKS_SEED}. A plan "
-        "counts if unified-planning's validator says that it is one. It is performed blindly "
-        f"(`--replans 0`), and with up to {way.REPLANS} new plans where it would miss. A goal is reached "
-        "where values meet it, or come as near as the tolerance of the axis, or half a cell; *to the "
-        "letter* counts those of the latter that meet it without.",
+        "counts if `validate` takes it: unified-planning's validator, and the replay with mean changes, too. "
+        f"It is performed blindly (`--replans 0`), and with up to {way.REPLANS} new plans where it would "
+        "miss. A goal is reached where values meet it, or come as near as the tolerance of the axis, or "
+        "half a cell; *to the letter* counts those of the latter that meet it without.",
         _table(_TASKS, sets),
         "## What did not come out",
         _table(_MISSED, sets),
