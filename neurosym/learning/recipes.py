@@ -7,15 +7,17 @@
   interactions that were never made. The encoders learn end to end what to tell in their bits: an embedding z
   is read as independent bits that are 1 with probability (1 + z) / 2, and the expected squared error over
   all codes is descended, exactly. Since that has poor local optima, it begins with encoders that were fitted
-  to name what a co-clustering of the teacher's predictions says that codes stand for (`code_targets.py`).
+  to name what a co-clustering of the teacher's predictions says that codes stand for.
   Last, the decoder is fitted to codes (eq. 7) of imagined interactions: of actions and objects as they come,
   and not as somebody curious chose them.
 """
 
+import math
 from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 from itertools import product
 
 import numpy as np
@@ -45,6 +47,7 @@ from neurosym.learning.training_config import ModelConfig, TrainingConfig
 # teacher says of many more actions and objects what it would cost to call them this or that.
 
 _AT_ONCE = 20_000  # predictions
+_THREADS = 2  # which ask the teacher; parts are the same on one processor
 _OBJECTS_ASKED = 24  # to see what kind an action is
 _ACTIONS_ASKED = 128  # to see what kind an object is
 
@@ -80,7 +83,7 @@ def find_code_targets(
     rng, naming = np.random.default_rng(int(torch.randint(2**31, (1,), generator=generator))), config.naming
     features, _ = samples.imagine(naming.table_objects, generator)
     _, actions = samples.imagine(naming.table_actions, generator)
-    table = _table(teacher, features, actions)  # (R, C, E)
+    table = _table(teacher, features, actions).numpy()  # (R, C, E)
     kinds = 2**bits.action_bits, 2**bits.object_bits
     found = cocluster(table, *kinds, rng, restarts=naming.table_restarts)
     rows, columns = np.eye(kinds[0])[found.rows], np.eye(kinds[1])[found.columns]  # (R, La), (C, Lo)
@@ -95,8 +98,8 @@ def find_code_targets(
     shown = rng.permutation(len(actions))[:_ACTIONS_ASKED]
     more_features, _ = samples.imagine(naming.objects, generator)
     _, more_actions = samples.imagine(naming.actions, generator)
-    by_object = _table(teacher, features[objects], more_actions)
-    by_action = _table(teacher, more_features, actions[shown]).transpose(1, 0, 2)
+    by_object = _table(teacher, features[objects], more_actions).numpy()
+    by_action = _table(teacher, more_features, actions[shown]).numpy().transpose(1, 0, 2)
     object_codes, action_codes = column_codes[found.columns], row_codes[found.rows]
     return CodeTargets(
         effects=torch.from_numpy(effects).float(),
@@ -143,14 +146,22 @@ def _some_of_each(labels: Int[np.ndarray, "C"], count: int, rng: np.random.Gener
 
 def _table(
     teacher: DirectModel, features: Float[Tensor, "C F"], actions: Float[Tensor, "R A"]
-) -> Float[np.ndarray, "R C E"]:
-    """Predict standardised effects of every action on every object."""
-    with torch.inference_mode():
-        parts = [
-            teacher.standard_effects(features.repeat(len(part), 1), part.repeat_interleave(len(features), 0))
-            for part in torch.split(actions, max(1, _AT_ONCE // len(features)))
-        ]
-    return torch.cat(parts).numpy().reshape(len(actions), len(features), -1)
+) -> Float[Tensor, "R C E"]:
+    """Predict standardised effects of every action on every object, in parts, two of them at a time."""
+
+    def predicted(part: Tensor) -> Tensor:
+        with torch.no_grad():
+            pairs = features.repeat(len(part), 1), part.repeat_interleave(len(features), 0)
+            return teacher.standard_effects(*pairs)
+
+    size = min(_AT_ONCE // len(features), math.ceil(len(actions) / _THREADS))
+    parts = _threads().map(predicted, torch.split(actions, max(1, size)))
+    return torch.cat([*parts]).view(len(actions), len(features), -1)
+
+
+@cache
+def _threads() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(_THREADS)
 
 
 _LIKELIHOOD_WEIGHT = 0.05
@@ -332,12 +343,10 @@ def _fit_encoders(fit: Fit, effects: nn.Parameter) -> None:
     def loss() -> Tensor:
         _, actions = samples.imagine(rows, fit.generator)
         features, _ = samples.imagine(columns, fit.generator)
-        with torch.no_grad():
-            pairs = features.repeat(rows, 1), actions.repeat_interleave(columns, 0)
-            targets = fit.teacher.standard_effects(*pairs)
+        targets = _table(fit.teacher, features, actions)
         by_action = code_probabilities(model.embed_actions(actions))
         by_object = code_probabilities(model.embed_objects(features))
-        return expected_error(by_action, by_object, effects, targets.view(rows, columns, -1))
+        return expected_error(by_action, by_object, effects, targets)
 
     encoders = nn.ModuleList([model.object_encoder, model.action_encoder]).train()
     _take_steps(loss, encoders, (effects,), coding.steps, coding.rate / 2, partial(fit.progress, "codes"))
