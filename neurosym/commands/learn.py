@@ -94,7 +94,7 @@ def _take_data(folder: Path, data: Path, columns: Path | None) -> None:
     from neurosym.files import make_folder, write_new
     from neurosym.worlds.world_file import axes_text
 
-    found = read_interactions(data, columns)
+    found = read_interactions(data, columns, lambda said: say(f"note: {said}"))
     if problems := training_problems(found.columns, found.origin):
         raise InvalidData(data, problems)
     for name in (layout.INTERACTIONS, layout.WORLD):
@@ -193,6 +193,7 @@ def check(
     from neurosym.commands.tables import show_data
     from neurosym.data.interactions import examine
     from neurosym.data.origin import training_problems, warnings_about
+    from neurosym.stages.value_stages import check_own
 
     path = opened(data).require(layout.INTERACTIONS) if data.is_dir() else data
     if not path.is_file():
@@ -201,6 +202,8 @@ def check(
     if problems := [*found.problems, *training_problems(found.columns, found.origin)]:
         answer({"path": str(path), "problems": problems})
         raise InvalidData(path, problems)
+    if data.is_dir():
+        check_own(opened(data))
     interactions = found.interactions
     assert interactions is not None, "without problems there are interactions"
     show_data(interactions, path)

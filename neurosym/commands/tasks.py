@@ -327,7 +327,9 @@ def plan(
         within = "" if record.tolerance is None else f" --tolerance {record.tolerance:g}"
         verb = "validate" if of_values else "execute"
         say_next(f"neurosym {verb} {quoted(folder)} {name} {quoted(folder / written)}{within}")
-    elif not of_values:
+    elif of_values:
+        say("note: steps go by whole cells; a wider goal, or a smaller cell in world.toml, may help")
+    else:
         seen = f"show {quoted(folder)} --problem {name}"
         say_next(f"neurosym {seen if nearest else f'plan {quoted(folder)} {name} --nearest'}")
     if written and output == _STANDARD:

@@ -46,6 +46,10 @@ class Axis(Document, frozen=True, omit_defaults=True):
             raise self._wrong(said, "a period for each angle, and for nothing else")
         if self.period and self.high is not None:
             raise self._wrong("a high bound, and is an angle", "where it begins, as it comes round")
+        for what, number in (("cell", self.cell), ("tolerance", self.tolerance)):
+            if self.period and number and number > self.period / 2:
+                said = f"a {what} of {number:g}, beyond half of its period of {self.period:g}"
+                raise self._wrong(said, "at most half of it")
         if self.kind == "flag" and not {self.cell, self.low, self.high, self.tolerance} <= {None}:
             raise self._wrong("a cell, bounds or a tolerance, and is a flag", "none of these for 0 and 1")
         if self.low is not None and self.high is not None:
@@ -151,6 +155,9 @@ def misfit(axis: Axis, values: Float[np.ndarray, " N"] | None, effects: Float[np
         )
     if axis.kind == "flag" and not np.isin(known, (0, 1)).all():
         return f"{axis.name} is a flag, and the data have {known.min():g} to {known.max():g}; valid: 0 and 1"
+    most = float(np.abs(effects).max())
+    if axis.cell and not axis.is_set and axis.cell > 2 * most:
+        return f"{axis.name} has a cell of {axis.cell:g}, and no effect on it is greater than {most:g}"
     low = -np.inf if axis.low is None or axis.period else axis.low
     high = np.inf if axis.high is None else axis.high
     if values is not None and np.mean((values >= low) & (values <= high)) < 0.5:

@@ -8,7 +8,7 @@ one. Nothing of a table is ever unpickled or executed.
 import csv
 import io
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -30,6 +30,8 @@ KINDS = (".csv", ".npy", ".npz", ".pt", ".safetensors")
 """What tables may be."""
 _ROLES = {"feature": "features", "action": "actions", "choice": "choices", "effect": "effects"}
 """What names of columns may begin with."""
+_ASKED = (*_ROLES.values(), "after", "episode")
+"""What a TOML file may say of columns; if it says nothing of these, their names do."""
 _TRUTH = {"true": 1.0, "false": 0.0, "yes": 1.0, "no": 0.0}
 _PART = re.compile(r"(?P<name>.+)\[(?P<first>\d+)(?P<range>:(?P<last>\d+))?\]")
 _TRACE = ("action", "plan_id")  # columns of a trace, as macq reads them; all others are bits
@@ -39,7 +41,7 @@ _MOST_CHOICES = 64  # of one column: each becomes a column of its own
 class Roles(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """Which columns of a table are what; an array is all its columns, and `array[0:2]` some of them."""
 
-    features: tuple[str, ...]  # what the thing was like that was acted upon
+    features: tuple[str, ...] = ()  # what the thing was like that was acted upon
     actions: tuple[str, ...] = ()  # numbers that say what was done
     choices: tuple[str, ...] = ()  # the same by whole numbers or words of which one is chosen
     effects: tuple[str, ...] = ()  # what was added along each axis, or became of what is set
@@ -54,12 +56,15 @@ Table = Mapping[str, np.ndarray]
 """Columns (N,) and arrays (N, C) by name; a column of a .csv file may hold words."""
 
 
-def read_interactions(path: Path, columns: Path | None = None) -> Interactions:
+def read_interactions(
+    path: Path, columns: Path | None = None, note: Callable[[str], None] = lambda _: None
+) -> Interactions:
     """Read a table as interactions.
 
     Args:
         path: The table; one of `KINDS`.
-        columns: A TOML file that says which columns are what, if their names do not.
+        columns: A TOML file that says which columns are what, if their names do not, and what axes are.
+        note: Is told what should be known of how the table was read.
 
     Raises:
         InvalidFile: If a file cannot be read.
@@ -67,17 +72,16 @@ def read_interactions(path: Path, columns: Path | None = None) -> Interactions:
     """
     table = _read(path)
     where = columns or path
-    if columns:
-        try:
-            mapping = msgspec.convert(read_toml(columns), Roles)
-        except msgspec.ValidationError as error:
-            raise InvalidFile(columns, str(error).rstrip(".")) from error
-    else:
-        mapping = _by_names(path, table)
+    mapping = _mapping(columns) if columns else Roles()
+    if not any(getattr(mapping, role) for role in _ASKED):
+        given = {"axes": mapping.axes, "names": mapping.names, "origin": mapping.origin}
+        mapping = msgspec.structs.replace(_by_names(path, table), **given)
     try:
         arrays, origin = _gathered(*_paired(table, mapping))
     except InvalidValue as error:
         raise InvalidFile(where, str(error).rstrip(".")) from error
+    if unread := [shortened(name) for name in table if name not in _read_by(mapping)]:
+        note(f"columns that are left out: {listed_briefly(unread)}")
     if problems := file_problems(arrays, origin):
         raise InvalidData(path, problems)
     rows = len(arrays["features"])
@@ -85,6 +89,20 @@ def read_interactions(path: Path, columns: Path | None = None) -> Interactions:
     none, nothing = np.zeros(rows, dtype=bool), np.zeros(rows, dtype=np.float32)
     flags = dict.fromkeys(FLAGS, none)
     return Interactions(**arrays, resting_effects=effects, peak_heights=nothing, **flags, origin=origin)
+
+
+def _mapping(columns: Path) -> Roles:
+    try:
+        return msgspec.convert(read_toml(columns), Roles)
+    except msgspec.ValidationError as error:
+        raise InvalidFile(columns, str(error).rstrip(".")) from error
+
+
+def _read_by(mapping: Roles) -> set[str]:
+    """Name the columns and arrays that a mapping reads."""
+    after = mapping.after.values() if isinstance(mapping.after, dict) else mapping.after
+    named = (*mapping.features, *mapping.actions, *mapping.choices, *mapping.effects, *after, mapping.episode)
+    return {*named, *(found["name"] for one in named if (found := _PART.fullmatch(one)))}
 
 
 def _read(path: Path) -> dict[str, np.ndarray]:
@@ -286,6 +304,8 @@ def _rows(table: Table) -> int:
 
 def _gathered(table: Table, mapping: Roles) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
     """Return the arrays of interactions, and their origin."""
+    if not mapping.features:
+        raise InvalidValue("It names no features; valid: columns that say what a thing was like")
     if not (mapping.actions or mapping.choices):
         raise InvalidValue("It names no actions; valid: columns of actions, or of choices")
     if bool(mapping.effects) == bool(mapping.after):
@@ -324,6 +344,8 @@ def _marked(column: np.ndarray, name: str) -> tuple[list[str], np.ndarray]:
     if "" in choices:
         row = int(np.flatnonzero(column[:, 0] == "")[0])
         raise InvalidValue(f"The column {name} has no value in row {row} (from 0)")
+    if choices.dtype.kind == "f" and (part := choices[choices % 1 != 0]).size:
+        raise InvalidValue(f"{name} holds {part[0]:g}; valid: whole numbers, or words")
     if len(choices) > _MOST_CHOICES:
         raise InvalidValue(f"{name} holds {len(choices)} choices; valid: at most {_MOST_CHOICES}")
     plain = name.removeprefix("choice.")
@@ -337,34 +359,33 @@ def _changed(
     table: Table, mapping: Roles, features: _Chosen
 ) -> tuple[tuple[Axis, ...], Float[np.ndarray, "N E"]]:
     """Return the axes of what became of features, and the effects along them."""
-    if isinstance(mapping.after, dict):
-        before, columns = [*mapping.after], [*mapping.after.values()]
-    else:
-        before, columns = features.names, [*mapping.after]
-    after = _chosen(table, mapping, columns).values
-    if missing := next((name for name in before if name not in features.names), None):
+    is_named = isinstance(mapping.after, dict)
+    columns = [*mapping.after.values()] if isinstance(mapping.after, dict) else [*mapping.after]
+    found = _chosen(table, mapping, columns)
+    before = [*mapping.after] if is_named else found.names
+    if missing := next((name for name in before if is_named and name not in features.names), None):
         raise InvalidValue(
             f"after names {missing}, which is no feature; features: {', '.join(features.names)}"
         )
+    if not is_named and not {*before} <= {*features.names}:  # other names: all features, in their order
+        before = features.names
+    after = found.values
     if after.shape[1] != len(before):
         raise InvalidValue(f"after has {after.shape[1]} columns; valid: {len(before)}, one for each feature")
     now = features.values[:, [features.names.index(name) for name in before]]
-    axes = axes_in(mapping.axes, None) if mapping.axes else ()
-    known = {axis.name: axis for axis in axes}
+    known = {axis.name: axis for axis in (axes_in(mapping.axes, None) if mapping.axes else ())}
     if strange := next((name for name in known if name not in map(legal_name, before)), None):
         raise InvalidValue(f"There is an axis {strange}, which `after` does not name")
-    if known:
-        keep = [number for number, name in enumerate(before) if legal_name(name) in known]
-        axes = tuple(known[legal_name(before[number])] for number in keep)
-    else:
-        keep = [number for number in range(len(before)) if np.any(after[:, number] != now[:, number])]
-        both = np.stack([now, after])
-        kinds = ["flag" if np.isin(both[:, :, number], (0, 1)).all() else "length" for number in keep]
-        axes = tuple(Axis(legal_name(before[n]), kind) for n, kind in zip(keep, kinds, strict=True))  # type: ignore[arg-type]
+    axes, keep = list[Axis](), list[int]()
+    for number, name in enumerate(map(legal_name, before)):
+        both = np.stack([now[:, number], after[:, number]])
+        if name in known or np.any(both[0] != both[1]):
+            keep.append(number)
+            axes.append(known.get(name) or Axis(name, "flag" if np.isin(both, (0, 1)).all() else "length"))
     if not keep:
         raise InvalidValue("Nothing differs between the features and what they became")
     effects = [axis.difference(after[:, n], now[:, n]) for axis, n in zip(axes, keep, strict=True)]
-    return axes, np.stack(effects, axis=1)
+    return tuple(axes), np.stack(effects, axis=1)
 
 
 def _named(names: Sequence[str]) -> tuple[Axis, ...]:

@@ -141,17 +141,52 @@ def average_operators(
     seed: int,
     open_bar: OpenBar = silent,
 ) -> OperatorTable:
-    """Distil and choose where there is no world, and average the data; see `find_operators` and `choose`."""
-    chosen = choose(
-        _candidates(model, interactions, box, seed, open_bar),
-        choice,
-        predict=predict,
-        features=interactions.features,
-        categorise=model.object_symbols,
-        world_factory=None,
-        seed=seed,
-    )
-    return average(interactions, chosen.primitives, model.object_symbols, model.action_symbols)
+    """Distil and choose where there is no world, and average the data; see `find_operators` and `choose`.
+
+    With "own", what stands for a symbol is what does most nearly what all actions of the symbol do.
+    """
+    candidates = _candidates(model, interactions, box, seed, open_bar)
+    if choice == "own":
+        primitives = most_typical(candidates, predict, interactions, model.action_symbols)
+    else:
+        primitives = choose(
+            candidates,
+            choice,
+            predict=predict,
+            features=interactions.features,
+            categorise=model.object_symbols,
+            world_factory=None,
+            seed=seed,
+        ).primitives
+    return average(interactions, primitives, model.object_symbols, model.action_symbols)
+
+
+def most_typical(
+    candidates: Sequence[Primitive],
+    predict: PredictOutcomes,
+    interactions: Interactions,
+    action_symbols: Categorise,
+) -> tuple[Primitive, ...]:
+    """Choose for each symbol what is predicted to do most nearly what its rows do on average."""
+    features, symbols = interactions.features[:_ROWS_SHOWN], np.array(action_symbols(interactions.actions))
+    scale = np.maximum(interactions.effects.std(0), 1e-9)
+
+    def done(actions: np.ndarray) -> np.ndarray:
+        pairs = np.tile(features, (len(actions), 1)), np.repeat(actions, len(features), axis=0)
+        effects: np.ndarray = predict(*pairs)[:, : len(scale)] / scale
+        return effects.reshape(len(actions), len(features), -1)
+
+    found = dict[str, Primitive]()
+    for symbol in sorted({one.symbol for one in candidates}):
+        known = [one for one in candidates if one.symbol == symbol]
+        usual = done(interactions.actions[symbols == symbol][:_ROWS_SHOWN]).mean(0)
+        off = ((done(np.array([one.action for one in known], dtype=np.float32)) - usual) ** 2).mean((1, 2))
+        found[symbol] = known[int(off.argmin())]
+    return tuple(found.values())
+
+
+_ROWS_SHOWN = 64
+"""On so many things it is predicted what actions do, and so many actions of a symbol are looked at."""
 
 
 def _candidates(

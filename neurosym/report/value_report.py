@@ -51,6 +51,7 @@ def gather_values(folder: DomainFolder) -> dict[str, Any]:
         ],
         "dots": _dots(data.features, symbols, domain.features, axes, palette),
         "does": _does(domain),
+        "verbs": _verbs(domain),
         "learned": report,
         "errors": error_table(report, names) if report else None,
         "plans": [read_json(path, PlanRecord) for path in sorted((folder / layout.PLANS).glob("*.json"))],
@@ -104,3 +105,11 @@ def _does(domain: ValueDomain) -> dict[str, list[tuple[str, str, float, str]]]:
         told = domain.in_words(one), domain.category(one.category).name, share, one.name
         does.setdefault(one.label, []).append(told)
     return does
+
+
+def _verbs(domain: ValueDomain) -> dict[str, str]:
+    """Say by the label of an action what operators with it are called, like `push`, if all begin so."""
+    verbs: dict[str, set[str]] = {}
+    for one in domain.operators:
+        verbs.setdefault(one.label, set()).add(one.name.partition(f"-{one.label}-")[0])
+    return {label: found.pop() for label, found in verbs.items() if len(found) == 1}

@@ -26,10 +26,26 @@ from neurosym.stages.plan_records import PlanRecord, record_beside
 from neurosym.tasks.transition import named_steps
 from neurosym.values.domain import ValueDomain, shown_by
 from neurosym.values.outcomes import compile_values
-from neurosym.values.problem import FORMAT, Goal, Thing, ValueProblem, ValueTask, known_to
+from neurosym.values.problem import (
+    FORMAT,
+    Goal,
+    Thing,
+    ValueProblem,
+    ValueTask,
+    check_features,
+    goal_in_words,
+    known_to,
+)
 from neurosym.values.traces import GivenSymbols
 from neurosym.values.value_execution import execute_values
-from neurosym.values.value_page import known_words, read_steps, value_page, value_problem, written
+from neurosym.values.value_page import (
+    check_actions,
+    known_words,
+    read_steps,
+    value_page,
+    value_problem,
+    written,
+)
 from neurosym.values.value_planning import Predict, plan_values
 from neurosym.worlds.state_world import HostedStates
 from neurosym.worlds.world_file import has_world, read_axes, read_stepper
@@ -39,6 +55,7 @@ if TYPE_CHECKING:
 
 USUAL_REPLANS = 10
 """How many new plans are made on the way, unless the user says otherwise."""
+_MOST_THINGS = 100  # of a drawn problem
 _DRAWS = 50  # of things, until random operators lead them elsewhere
 
 
@@ -132,6 +149,7 @@ def symbols_of(folder: DomainFolder) -> "EffectModel | GivenSymbols":
 def _put(folder: DomainFolder, problem: ValueProblem, domain: ValueDomain) -> None:
     """Write a problem, as we read it and printed, with the symbols of its things in each state."""
     categorise = symbols_of(folder).object_symbols
+    check_features(problem.things, domain)
     things = tuple(known_to(thing, domain, categorise) for thing in problem.things)
     problem = ValueProblem(FORMAT, problem.name, things, problem.goals, problem.provenance)
     task = ValueTask(problem, domain)
@@ -161,6 +179,8 @@ def value_problem_stage(
         goals: What axes of things shall become.
         scene: A file that holds a whole problem, if given.
     """
+    if not 1 <= things <= _MOST_THINGS:
+        raise InvalidValue(f"There cannot be {things} things in a problem; valid: 1 to {_MOST_THINGS}.")
 
     def work() -> None:
         domain = domain_of(folder)
@@ -250,13 +270,22 @@ def goals_in_words(folder: DomainFolder, name: str) -> Iterator[str]:
     """Say the goals of a problem, a line each."""
     for thing, goals in task_of(folder, name).problem.goals.items():
         for axis, value in goals.items():
-            told = f"{value[0]:g} to {value[1]:g}" if isinstance(value, tuple) else f"{value:g}"
-            yield f"  goal: {axis} of {thing}: {told}"
+            yield f"  goal: {axis} of {thing}: {goal_in_words(value)}"
 
 
 def actions_of(task: ValueTask, plan_file: Path) -> tuple[Atom, ...]:
-    """Read the ground actions of any planner's plan; `InvalidPlan` if a line cannot be read."""
-    return read_words(read_text(plan_file, MOST_PLAN), plan_file, known_words(task))
+    """Read the ground actions of any planner's plan.
+
+    Raises:
+        InvalidPlan: If a line cannot be read.
+        InvalidFile: If an action, an operator or a thing is none of the problem.
+    """
+    actions = read_words(read_text(plan_file, MOST_PLAN), plan_file, known_words(task))
+    try:
+        check_actions(actions, task)
+    except UnknownChoice as error:
+        raise InvalidFile(plan_file, str(error).rstrip(".")) from error
+    return actions
 
 
 def plan_values_stage(

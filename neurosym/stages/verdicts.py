@@ -157,6 +157,8 @@ def judge_values(domain: ValueDomain) -> Verdict:
     sentence = (
         f"{len(sure)} of {counted(len(best), 'operator')} turn out as promised in most rows of the data"
     )
+    if unsure := sum(3 * one.outcome.count < 2 * one.trials for one in sure):
+        sentence += f", {unsure} of them in less than two thirds"
     moved = {
         cells.axis.name
         for one in sure

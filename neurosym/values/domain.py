@@ -95,7 +95,7 @@ class Cells:
 
         These are the cells that lie in it whole, or else those of which the middle does; a value has one.
         """
-        if self.axis.kind == "flag" and goal not in (0, 1, (0, 1)):
+        if self.axis.kind == "flag" and goal not in (0, 1, (0, 0), (0, 1), (1, 1)):
             raise InvalidValue(f"{self.axis.name} cannot be {goal}; valid: 0 and 1, or no and yes.")
         middle, room = self._around(goal)
         off = [abs(self.axis.apart(self.centre(n), middle)) for n in range(self.count)]

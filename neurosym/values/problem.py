@@ -20,6 +20,7 @@ from neurosym.values.domain import MOST_STATES, ValueDomain, ValueOperator
 FORMAT = "neurosym-value-problem-1"
 Goal = float | tuple[float, float]
 """What an axis shall become: a value, or the least and greatest of some."""
+
 Cell = tuple[int, ...]
 """The cell of a thing on each axis."""
 
@@ -72,6 +73,19 @@ class ValueProblem(Versioned, frozen=True, omit_defaults=True):
         return problem
 
 
+def goal_in_words(goal: Goal) -> str:
+    """Say what a goal asks for, like `0.5`, or `0.4 to 0.6`."""
+    return f"{goal[0]:g} to {goal[1]:g}" if isinstance(goal, tuple) else f"{goal:g}"
+
+
+def check_features(things: Sequence[Thing], domain: ValueDomain) -> None:
+    """Refuse things with more or fewer features than a domain knows."""
+    for thing in things:
+        if len(thing.features) != len(domain.features):
+            valid = ", ".join(domain.features)
+            raise InvalidValue(f"{thing.name} has {len(thing.features)} features; valid: {valid}.")
+
+
 def known_to(thing: Thing, domain: ValueDomain, categorise: Categorise) -> Thing:
     """Return a thing with its category in each state that it may be in."""
     counts = [cells.count for cells in domain.shown_cells]
@@ -99,10 +113,8 @@ class ValueTask:
 
     def __post_init__(self) -> None:
         names = [axis.name for axis in self.domain.axes]
+        check_features(self.problem.things, self.domain)
         for thing in self.problem.things:
-            if len(thing.features) != len(self.domain.features):
-                valid = ", ".join(self.domain.features)
-                raise InvalidValue(f"{thing.name} has {len(thing.features)} features; valid: {valid}.")
             hidden = [name for name, by in zip(names, self.domain.shown, strict=True) if by is None]
             if wrong := next((name for name in thing.values if name not in hidden), None):
                 valid = ", ".join(hidden) or "none"
@@ -182,7 +194,8 @@ class ValueTask:
             number = numbers[axis]
             if (here := states[thing][number]) not in cells:
                 value = self.domain.cells[number].centre(here)
-                yield f"{thing} ends with {axis} = {value:g}, not {self.problem.goals[thing][axis]}"
+                asked = goal_in_words(self.problem.goals[thing][axis])
+                yield f"{thing} ends with {axis} = {value:g}, not {asked}"
 
     def replay(self, steps: Sequence[PlanStep]) -> tuple[dict[str, Cell], str]:
         """Follow a plan; returned are the states in the end, and why it is no plan, if it is none."""
@@ -223,7 +236,7 @@ class ValueTask:
             for value, cells in zip(values[thing], self.domain.cells, strict=True):
                 goal = goals.get(cells.axis.name)
                 if goal is not None and not cells.meets(goal, value):
-                    return f"{thing} ends with {cells.axis.name} = {value:.4g}, not {goal}"
+                    return f"{thing} ends with {cells.axis.name} = {value:.4g}, not {goal_in_words(goal)}"
         return ""
 
     def chance(self, steps: Sequence[PlanStep]) -> float:

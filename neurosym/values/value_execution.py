@@ -57,24 +57,29 @@ def execute_values(
         perform: Performs an action.
         solve: Makes a new plan.
         replans: How many new plans may be asked for.
+
+    Raises:
+        InvalidWorld: If the world fails.
     """
     now, left, done, asked = task, [*steps], list[ValueStep](), 0
-    failed = Counter[str]()
+    failed, stuck = Counter[str](), ""
     while True:
         reason = now.replay(left)[1] if left else now.strays()
         if reason and solve and asked < replans:
             asked += 1
             result = solve(_doubting(now, failed))
             left, reason = [*result.steps], "" if result.has_plan else result.reason
+            stuck = reason
         if not left or (reason and solve):
-            reason = reason or now.strays()
-            return ValueRun(FORMAT, task.problem.name, tuple(done), not reason, reason, asked)
+            missed = now.strays()
+            return ValueRun(
+                FORMAT, task.problem.name, tuple(done), not missed, missed and (stuck or missed), asked
+            )
         step, *left = left
         try:
             told, now = _performed(now, step, perform)
-        except InvalidWorld as error:
-            reason = f"step {len(done) + 1}: {str(error).rstrip('.')}"
-            return ValueRun(FORMAT, task.problem.name, tuple(done), False, reason, asked)
+        except InvalidWorld:
+            raise
         except InvalidValue as error:
             reason = f"{step.object} came to where nothing is known: {str(error).rstrip('.')}"
             return ValueRun(FORMAT, task.problem.name, tuple(done), False, reason, asked)

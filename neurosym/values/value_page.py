@@ -8,7 +8,7 @@ import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 
 from neurosym.data.category_names import traits_of
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.operators import Symbol
 from neurosym.pddl.strips import WIDTH
 from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Facts, PddlProblem, Predicate, Typed
@@ -222,6 +222,18 @@ def known_words(task: ValueTask) -> set[str]:
     """Name the actions of the page, the operators and the things, by which a line is known for a step."""
     names = {action.name for action in value_page(task.domain).actions}
     return {*names, *(one.name for one in task.domain.operators), *task.start}
+
+
+def check_actions(actions: Sequence[Atom], task: ValueTask) -> None:
+    """Raise `UnknownChoice` if there is an action that is neither of the page nor a step in short."""
+    page = {action.name for action in value_page(task.domain).actions}
+    for words in actions:
+        if words[0] not in page:
+            task.domain.operator_named(words[0])
+        elif words[0] == "act" and len(words) > 2:
+            task.domain.operator_named(words[2])
+        if len(words) > 1 and words[1] not in task.start:
+            raise UnknownChoice("thing", words[1], task.start)
 
 
 def read_steps(actions: Sequence[Atom], domain: ValueDomain) -> tuple[PlanStep, ...]:

@@ -191,6 +191,9 @@ def _read(path: Path) -> tuple[str, dict[str, Any]]:
     name, options = document.pop("world", None), document.pop("options", {})
     if name == NONE or (isinstance(name, str) and is_factory(name)):
         document.pop("axes", None)
+    if isinstance(name, str) and "axes" in document:
+        said = f"it has axes, and world = {shortened(name)!r}; valid beside axes: {NONE}, or module:factory"
+        raise InvalidFile(path, said)
     if document or not isinstance(name, str) or not isinstance(options, dict):
         extra = f"; there is no place for {shortened(next(iter(document)))!r}" if document else ""
         raise InvalidFile(path, f'it must hold world = "NAME" and a table [options]{extra}')

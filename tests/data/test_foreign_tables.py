@@ -88,6 +88,22 @@ def test_the_next_row_of_an_episode_says_what_came_of_one(tmp_path):
     np.testing.assert_array_equal(read_interactions(named).effects, np.ones((28, 1)))
 
 
+def test_axes_alone_leave_columns_to_their_names_and_no_column_goes_unsaid(tmp_path):
+    rows = [(angle, move, 0, (angle + 0.5) % 6, int(move == 1), "left") for (angle, _), move in
+            zip(STATES, MOVES, strict=True)]  # fmt: skip
+    header = "feature.angle,choice.move,feature.lit,after.angle,after.lit,remark"
+    table, said = csv(tmp_path / "a.csv", header, rows), list[str]()
+    (tmp_path / "axes.toml").write_text('[[axes]]\nname = "angle"\nkind = "angle"\nperiod = 6\n')
+    found = read_interactions(table, tmp_path / "axes.toml", said.append)
+    assert axes_in(found.origin["axes"], 2) == (Axis("angle", "angle", period=6), Axis("lit", "flag"))
+    np.testing.assert_allclose(found.effects[:, 0], 0.5, atol=1e-5)
+    assert said == ["columns that are left out: remark"]
+    listed = 'features = ["feature.angle", "feature.lit"]\nchoices = ["choice.move"]\nafter = ["after.lit"]\n'
+    (tmp_path / "columns.toml").write_text(listed)
+    found = read_interactions(table, tmp_path / "columns.toml")
+    assert axes_in(found.origin["axes"], 1) == (Axis("lit", "flag"),)
+
+
 @pytest.mark.parametrize(
     ("mapping", "said"),
     [
@@ -95,6 +111,7 @@ def test_the_next_row_of_an_episode_says_what_came_of_one(tmp_path):
         ('features = ["obs"]\nactions = ["act"]\nepisode = "next[0]"\n', "No row follows another"),
         ('features = ["obs"]\nactions = ["act"]\n', "must name effects"),
         ('features = ["obs"]\neffects = ["next"]\n', "names no actions"),
+        ('actions = ["act"]\neffects = ["next"]\n', "names no features"),
         ('features = ["nothing"]\nactions = ["act"]\neffects = ["next"]\n', "no column nothing"),
         ('features = ["obs[1:4]"]\nactions = ["act"]\neffects = ["next"]\n', "are no columns of obs"),
         ('features = ["obs"]\nchoices = ["next"]\neffects = ["next"]\n', "has 2 columns"),
@@ -121,6 +138,7 @@ def test_tables_that_cannot_be_are_refused(tmp_path):
         ("short.csv", "feature.mass,action.a,effect.x", [(1, 2)], "row 2 has 2 entries"),
         ("twice.csv", "feature.mass,feature.mass,effect.x", words, "two columns are called feature.mass"),
         ("many.csv", "feature.mass,choice.a,effect.x", [(1, n, 3) for n in range(65)], "holds 65 choices"),
+        ("part.csv", "feature.mass,choice.a,effect.x", [(1, 0.5, 3)] * ROWS, "holds 0.5; valid: whole"),
         ("table.xls", "", [], "none of the tables"),
     ):
         with pytest.raises(InvalidFile, match=said):
@@ -143,6 +161,12 @@ def test_tables_that_cannot_be_are_refused(tmp_path):
         ({"name": "x", "low": 0, "high": 1, "cell": 2}, "room for one cell"),
         ({"name": "x", "low": 0, "high": 1, "cell": 1e-6}, "1000000 cells"),
         ({"name": "x", "cell": 1, "tolerance": 0.1}, "under half of its cell"),
+        ({"name": "turn", "kind": "angle", "period": 6.0, "cell": 4}, "a cell of 4, beyond half"),
+        ({"name": "turn", "kind": "angle", "period": 6.0, "tolerance": 5}, "a tolerance of 5, beyond half"),
+        ({"name": "x", "cell": "big"}, "has cell = 'big'; valid: a number"),
+        ({"name": "x", "cel": 1}, "has a cel; valid: name, kind"),
+        ({"unit": "m"}, "has no name"),
+        ("x", "valid: a table"),
         ({"name": "open", "kind": "flag", "cell": 1}, "none of these for 0 and 1"),
         ({"name": "X y"}, "has name = 'X y'; valid: a lower-case letter"),
         ({"name": "x", "kind": "colour"}, "axis of effects"),

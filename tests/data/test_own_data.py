@@ -125,8 +125,10 @@ def test_a_csv_of_a_room_becomes_a_plan_in_six_commands(tmp_path, monkeypatch, c
         ("low = 100, high = 200", "most of the data lie outside: they go from 10"),
         ('kind = "flag"', "is a flag, and the data have"),
         ('kind = "angle", period = 2.0', "effects go beyond half of its period"),
+        ("cell = 1e6", "no effect on it is greater than"),
     ):
         Path("room/world.toml").write_text(axes.replace('"temperature"', f'"temperature", {said}'))
+        assert refused in refusal(capsys, "check", "room")
         assert refused in refusal(capsys, "compile-domain", "room")
         assert refused in refusal(capsys, "train", "room")
     Path("room/world.toml").write_text(axes.replace("temperature", "warmth"))
@@ -150,12 +152,35 @@ def test_plans_in_short_are_judged_and_written_out(discs, capsys):
     assert neurosym("execute", discs, "task-01", discs / "short.plan") == 3  # nobody plans anew
     nudged = refusal(capsys, "execute", discs, "task-01", discs / "short.plan", "--disturb", 0)
     assert "no --disturb" in nudged
+    for wrong, said in (("(fly thing-01)", "no operator 'fly'"), ("(act bus x)", "operator 'x'"),
+                        (f"({steps[0][0]} bus)", "no thing 'bus'")):  # fmt: skip
+        (discs / "short.plan").write_text(f"({' '.join(steps[0])})\n{wrong}\n")
+        for command in ("validate", "execute"):
+            assert said in refusal(capsys, command, discs, "task-01", discs / "short.plan")
     for goal, said in (
         (("x=1",), "cannot be read"), (("thing-01.x=0.2", "thing-01.x=0.4"), "has two goals"),
         (("thing-01.x=many",), "cannot be read"), (("thing-01.z=1",), "z"),
     ):  # fmt: skip
         typed = (word for one in goal for word in ("--goal", one))
         assert said in refusal(capsys, "new-problem", discs, *typed)
+
+
+def test_scenes_and_worlds_that_cannot_be_are_refused(discs, capsys, monkeypatch):
+    scene = json.loads((discs / "problems/task-01.scene.json").read_text())
+    scene["things"][0]["features"] = [1, 2]
+    (discs / "short.json").write_text(json.dumps(scene))
+    assert "thing-01 has 2 features" in refusal(capsys, "new-problem", discs, "--scene", discs / "short.json")
+    assert "cannot be 1000000 things" in refusal(capsys, "new-problem", discs, "--objects", 1_000_000)
+    monkeypatch.chdir(discs.parent)
+    Path("stuck.py").write_text("class Stuck:\n    def step(self, state, action):\n        return 1 / 0\n")
+    (discs / "world.toml").write_text(WORLD.replace("pusher:Pusher", "stuck:Stuck"))
+    record = discs / "runs/task-01.fast-downward.run.json"
+    record.unlink()
+    plan = discs / "plans/task-01.fast-downward.plan"
+    assert "ZeroDivisionError" in refusal(capsys, "execute", discs, "task-01", plan)
+    assert not record.exists()
+    (discs / "world.toml").write_text(WORLD.replace("pusher:Pusher", "pusher"))
+    assert "valid beside axes: none, or module:factory" in refusal(capsys, "compile-domain", discs)
 
 
 def test_own_data_along_three_axes_lack_nothing_but_a_world(folder, capsys):

@@ -6,7 +6,7 @@ import pytest
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.operators import Primitive
-from neurosym.primitives.operator_search import average, kinds_of
+from neurosym.primitives.operator_search import average, kinds_of, most_typical
 
 PRIMITIVES = (Primitive("1", (0.5, 0.5), 0.0), Primitive("0", (-0.5, 0.5), 0.0))
 
@@ -61,3 +61,12 @@ def test_pairs_and_primitives_that_no_row_has_are_left_out():
     assert [one.name for one in table.categories] == ["kind-00", "unseen-01", "unseen-10", "unseen-11"]
     with pytest.raises(InvalidValue, match="without primitives"):
         average(data, (), both_signs, first_sign)
+
+
+def test_what_stands_for_a_symbol_does_what_its_rows_do_on_average():
+    amounts = np.linspace(0.2, 1.0, 33, dtype=np.float32)[:, None]
+    still, none = np.zeros((33, 1), dtype=np.float32), np.zeros(33, dtype=bool)
+    data = Interactions(still, amounts, 5 * amounts, 5 * amounts, none, none, none, still[:, 0], {})
+    candidates = [Primitive("1", (amount,), 0.0) for amount in (1.0, 0.55, 0.2)]
+    chosen = most_typical(candidates, lambda _, actions: 5 * actions, data, lambda rows: ("1",) * len(rows))
+    assert [one.action for one in chosen] == [(0.55,)]

@@ -201,6 +201,14 @@ def jammed(failures: int):
     return perform
 
 
+def test_a_run_that_is_given_up_says_where_it_ended(domain):
+    asked = task(domain, (11.0, 4.0, 0.0), {"level": (5.5, 6.5)})
+    solve = partial(plan_values, planner=planner_named("bfs-operators"), time_limit=60)
+    run = execute_values(asked, solve(asked).steps, jammed(99), solve=solve, replans=2)
+    assert (run.reached, run.replans) == (False, 2)
+    assert run.reason == "dial-1 ends with level = 4, not 5.5 to 6.5"
+
+
 @pytest.mark.parametrize(("failures", "replans", "reached"), [(0, 0, True), (1, 0, False), (1, 3, True)])
 def test_a_plan_is_performed_and_made_anew_where_it_fails(domain, failures, replans, reached):
     asked = task(domain, (11.0, 4.0, 0.0), {"level": 6.0})
