@@ -1,7 +1,7 @@
 """What a data set says of how it came about: `origin`, and what can be wrong with it."""
 
 import reprlib
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Annotated, Any, Literal
@@ -365,6 +365,7 @@ def warnings_about(columns: Columns, origin: Mapping[str, Any], given: tuple[str
             f"effects reach {only}{greatest:g}, but in a world every outcome counts as promised within "
             f"{TOLERANCE:g} of the mean, in their unit; give them in a {unit} unit, or name axes"
         )
+    warnings += _turning(columns, origin)
     read = (*_Read.__struct_fields__, "format")
     near = {name: get_close_matches(name, read, n=1, cutoff=0.8) for name in origin if name not in read}
     return warnings + [
@@ -372,6 +373,17 @@ def warnings_about(columns: Columns, origin: Mapping[str, Any], given: tuple[str
         for name, found in near.items()
         if found
     ]
+
+
+def _turning(columns: Columns, origin: Mapping[str, Any]) -> Iterator[str]:
+    """Note lengths that look like angles: they change a little, and seldom by all of their range."""
+    names = [legal_name(name) for name in origin.get("feature_names", ())]
+    for number, axis in enumerate(axes_in(origin.get("axes", ()))):
+        if axis.kind == "length" and axis.name in names:
+            effects, values = columns["effects"][:, number], columns["features"][:, names.index(axis.name)]
+            room = 0.8 * float(np.ptp(values))
+            if effects.min() < -room and effects.max() > room and np.mean(abs(effects) > room / 2) < 0.25:
+                yield f"{axis.name} sometimes changes by nearly all of its range; is it an angle?"
 
 
 def too_few(rows: int) -> str | None:
