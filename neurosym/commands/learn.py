@@ -64,7 +64,10 @@ def init(
     ] = None,
     columns: Annotated[
         Optional[Path],
-        arg(metavar="FILE", help="A TOML file that says which columns are what, if their names do not."),
+        arg(
+            metavar="FILE",
+            help="A TOML file that says which columns are what, if names do not, and what axes are.",
+        ),
     ] = None,
 ) -> int:
     """Make a new domain folder with a `world.toml` that holds every option of its world.

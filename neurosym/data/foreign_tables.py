@@ -359,16 +359,14 @@ def _changed(
     table: Table, mapping: Roles, features: _Chosen
 ) -> tuple[tuple[Axis, ...], Float[np.ndarray, "N E"]]:
     """Return the axes of what became of features, and the effects along them."""
-    is_named = isinstance(mapping.after, dict)
-    columns = [*mapping.after.values()] if isinstance(mapping.after, dict) else [*mapping.after]
-    found = _chosen(table, mapping, columns)
-    before = [*mapping.after] if is_named else found.names
-    if missing := next((name for name in before if is_named and name not in features.names), None):
+    named = mapping.after if isinstance(mapping.after, dict) else {}
+    found = _chosen(table, mapping, [*(named.values() if named else mapping.after)])
+    is_known = {*found.names} <= {*features.names}  # else they are all features, in their order
+    before = [*named] or (found.names if is_known else features.names)
+    if missing := next((name for name in named if name not in features.names), None):
         raise InvalidValue(
             f"after names {missing}, which is no feature; features: {', '.join(features.names)}"
         )
-    if not is_named and not {*before} <= {*features.names}:  # other names: all features, in their order
-        before = features.names
     after = found.values
     if after.shape[1] != len(before):
         raise InvalidValue(f"after has {after.shape[1]} columns; valid: {len(before)}, one for each feature")

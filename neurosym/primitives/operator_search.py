@@ -161,6 +161,10 @@ def average_operators(
     return average(interactions, primitives, model.object_symbols, model.action_symbols)
 
 
+_ROWS_SHOWN = 64
+"""On so many things it is predicted what actions do, and so many actions of a symbol are looked at."""
+
+
 def most_typical(
     candidates: Sequence[Primitive],
     predict: PredictOutcomes,
@@ -183,10 +187,6 @@ def most_typical(
         off = ((done(np.array([one.action for one in known], dtype=np.float32)) - usual) ** 2).mean((1, 2))
         found[symbol] = known[int(off.argmin())]
     return tuple(found.values())
-
-
-_ROWS_SHOWN = 64
-"""On so many things it is predicted what actions do, and so many actions of a symbol are looked at."""
 
 
 def _candidates(
