@@ -347,14 +347,12 @@ def compare(
     seeds = f"seed {seed}" if tasks == 1 else f"seeds {seed} to {seed + tasks - 1}"
     _show(comparison, f"{counted(comparison.counted, 'task')} drawn with {seeds}, {kind}")
     say(f"wrote {file}, and a file for each task")
-    reached = (
-        ("reached_with_replanning", "with replanning") if comparison.executed else ("valid", "by the data")
-    )
+    ran, of = comparison.executed, comparison.counted
     tries = {
-        name: Tries(getattr(tally, reached[0]), tally.found, comparison.counted)
-        for name, tally in comparison.planners.items()
+        name: Tries(one.reached_with_replanning if ran else one.valid, one.found, of)
+        for name, one in comparison.planners.items()
     }
-    verdict = judge_tries(tries, how=reached[1], tolerance=tolerance)
+    verdict = judge_tries(tries, how="with replanning" if ran else "by the data", tolerance=tolerance)
     for line in verdict.lines:
         say(line)
     like = "" if objects == 1 else f" --objects {objects}"

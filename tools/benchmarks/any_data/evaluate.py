@@ -146,8 +146,8 @@ def page(told: Mapping[str, Any]) -> str:
         f"{way.PLANNER} plans. Starts that are not fixed are drawn with seed {way.TASKS_SEED}. A plan "
         "counts if `validate` takes it: unified-planning's validator, and the replay with mean changes, too. "
         f"It is performed blindly (`--replans 0`), and with up to {way.REPLANS} new plans where it would "
-        "miss. A goal is reached where values meet it, or come as near as the tolerance of the axis, or "
-        "half a cell; *to the letter* counts those of the latter that meet it without.",
+        "miss. A goal is reached where values meet it. They may be off by the tolerance of the axis, or by "
+        "half a cell. *To the letter* counts those with new plans that are not off at all.",
         _table(_TASKS, sets),
         "## What did not come out",
         _table(_MISSED, sets),
