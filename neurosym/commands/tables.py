@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from neurosym.data.category_names import traits_of
+from neurosym.data.cells import Cells
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import FLAGS
 from neurosym.errors import counted, harmless, listed_briefly
@@ -22,7 +23,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.value_stages import domain_of
 from neurosym.stages.verdicts import Verdict, judge_training, judge_values
 from neurosym.tasks.transition import PlanStep, primitives
-from neurosym.values.domain import Cells, ValueDomain
+from neurosym.values.domain import ValueDomain
 from neurosym.values.value_execution import ValueRun
 
 

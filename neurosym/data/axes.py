@@ -52,15 +52,17 @@ class Axis(Document, frozen=True, omit_defaults=True):
                 raise self._wrong(said, "at most half of it")
         if self.kind == "flag" and not {self.cell, self.low, self.high, self.tolerance} <= {None}:
             raise self._wrong("a cell, bounds or a tolerance, and is a flag", "none of these for 0 and 1")
-        if self.low is not None and self.high is not None:
-            if not self.low < self.high:
-                raise self._wrong(f"bounds from {self.low:g} to {self.high:g}", "the first below the second")
-            if self.cell and self.cell > self.high - self.low:
-                room = f"a cell of {self.cell:g} between bounds from {self.low:g} to {self.high:g}"
-                raise self._wrong(room, "bounds with room for one cell or more")
+        if self.low is not None and self.high is not None and not self.low < self.high:
+            raise self._wrong(f"bounds from {self.low:g} to {self.high:g}", "the first below the second")
         if self.cell and self.tolerance and self.tolerance < self.cell / 2:
             said = f"a tolerance of {self.tolerance:g}, under half of its cell of {self.cell:g}"
             raise self._wrong(said, "half a cell or more")
+
+    def check_cells(self) -> None:
+        """Raise `InvalidValue` if there is no room for a cell, or room for more than can be printed."""
+        if self.cell and self.span and self.cell > self.span:
+            room = f"a cell of {self.cell:g} between bounds from {self.low:g} to {self.high:g}"
+            raise self._wrong(room, "bounds with room for one cell or more")
         if self.cell and self.span and self.span / self.cell > _MOST_CELLS:
             raise self._wrong(f"{self.span / self.cell:.0f} cells", f"at most {_MOST_CELLS}")
 
@@ -107,6 +109,7 @@ def axes_in(tables: Any, width: int | None = None) -> tuple[Axis, ...]:
     for number, one in enumerate(tables):
         try:
             found.append(msgspec.convert(one, Axis))
+            found[-1].check_cells()
         except msgspec.ValidationError as error:
             if isinstance(error.__cause__, InvalidValue):
                 raise error.__cause__ from None

@@ -8,11 +8,13 @@ shrunken ball of no more steps than were reckoned with ends within the tolerance
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 
-from neurosym.grounding import Cells, Grounding, is_lift
+from neurosym.data.axes import Axis
+from neurosym.data.cells import Cells
+from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Vector
 from neurosym.problems import SceneObject, check_on_table
 from neurosym.tasks.promises import usable
@@ -20,35 +22,31 @@ from neurosym.tasks.promises import usable
 AXES = ("x", "y", "z")
 
 
-@dataclass(frozen=True, slots=True)
-class Grid:
-    """Cells along each axis."""
+def axes_of(grounding: Grounding) -> tuple[Axis, Axis, Axis]:
+    """Return what objects on a table move along: over it, and up to where the highest lift leads [all m]."""
+    table, cell = grounding.table, grounding.cell
+    highest = max((grounding.highest(operator) for operator in grounding.live), default=0)
+    bounds = table.x, table.y, (0.0, highest * cell if highest > 0 else None)
+    x, y, z = (
+        Axis(name, unit="m", cell=cell, low=low, high=high)
+        for name, (low, high) in zip(AXES, bounds, strict=True)
+    )
+    return x, y, z
 
-    cell: float  # edge of a cell [m]
-    origin: tuple[float, float]  # centre of cell 0 on x and y [m]
-    last: Cells  # index of the last cell on x, y and z
 
-    def anchor(self, position: Vector) -> Cells:
-        """Return the cell that an object at rest starts in, whose centre [m] is over the table."""
-        x, y = (
-            min(math.floor((value - low) / self.cell + 0.5), last)
-            for value, low, last in zip(position[:2], self.origin, self.last[:2], strict=True)
-        )
-        return (x, y, 0)
+@lru_cache(maxsize=8)
+def grid_of(grounding: Grounding) -> tuple[Cells, Cells, Cells]:
+    """Lay the grid over the table: the cells of x, y and z, all with names of as many digits."""
+    axes = axes_of(grounding)
+    digits = max(len(str(Cells(axis).count - 1)) for axis in axes)
+    x, y, z = (Cells(axis, digits) for axis in axes)
+    return x, y, z
 
-    def cell_name(self, axis: int, index: int) -> str:
-        """Name a cell of an axis, such that names sort like indices."""
-        return f"{AXES[axis]}{index:0{len(str(max(self.last)))}d}"
 
-    def cell_names(self, axis: int) -> list[str]:
-        """Name all cells of an axis."""
-        return [self.cell_name(axis, index) for index in range(self.last[axis] + 1)]
-
-    def shifts(self, axis: int, cells: int, margin: int) -> list[tuple[int, int]]:
-        """List the pairs of cells (from, to) that a displacement leads between; none ends in the margins."""
-        edge = margin if axis < 2 else 0
-        ends = range(max(edge, cells), min(self.last[axis] - edge, self.last[axis] + cells) + 1)
-        return [(end - cells, end) for end in ends]
+def anchor(grid: Sequence[Cells], position: Vector) -> tuple[int, int, int]:
+    """Return the cell that an object at rest starts in, whose centre [m] is over the table."""
+    x, y, _ = grid
+    return (x.clipped(position[0]), y.clipped(position[1]), 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,15 +68,6 @@ class GoalRegion:
         return [zone for zone in sorted(set(self.zone.values())) if zone > self.heights.index(height)]
 
 
-@lru_cache(maxsize=8)
-def grid_of(grounding: Grounding) -> Grid:
-    """Lay the grid over the table, up to where the highest lift leads."""
-    table = grounding.table
-    x, y = (math.floor((high - low) / grounding.cell + 1e-9) for low, high in (table.x, table.y))
-    highest = max((grounding.highest(operator) for operator in grounding.live), default=0)
-    return Grid(cell=grounding.cell, origin=(table.x[0], table.y[0]), last=(x, y, max(highest, 0)))
-
-
 def goal_region(
     item: SceneObject, goal: Vector, tolerance: float, grounding: Grounding, *, steps: int
 ) -> GoalRegion:
@@ -92,17 +81,18 @@ def goal_region(
     check_on_table(item, grounding.table)
     grid, (error_x, error_y, error_z) = grid_of(grounding), rounding(item, grounding)
     dx, dy, height = (end - start for end, start in zip(goal, item.position, strict=True))
-    misses = {z: abs(z * grid.cell - height) + (error_z if z else 0.0) for z in levels(item, grounding)}
+    cell = grounding.cell
+    misses = {z: abs(z * cell - height) + (error_z if z else 0.0) for z in levels(item, grounding)}
     heights = within(misses, tolerance)
     radii = [math.sqrt(tolerance**2 - misses[z] ** 2) for z in heights]
-    (start_x, start_y, _), reach = grid.anchor(item.position), math.ceil(max(radii, default=0) / grid.cell)
-    middle = math.floor(dx / grid.cell + 0.5), math.floor(dy / grid.cell + 0.5)
+    (start_x, start_y, _), reach = anchor(grid, item.position), math.ceil(max(radii, default=0) / cell)
+    middle = math.floor(dx / cell + 0.5), math.floor(dy / cell + 0.5)
 
     def zone(x: int, y: int) -> int:
         """Return over how many heights a cell, counted from the start, is near enough whatever errs."""
-        off_x = abs(x - dx / grid.cell) * grid.cell + steps * error_x
-        off_y = abs(y - dy / grid.cell) * grid.cell + steps * error_y
-        if not (0 <= start_x + x <= grid.last[0] and 0 <= start_y + y <= grid.last[1]):
+        off_x = abs(x - dx / cell) * cell + steps * error_x
+        off_y = abs(y - dy / cell) * cell + steps * error_y
+        if not (0 <= start_x + x < grid[0].count and 0 <= start_y + y < grid[1].count):
             return 0
         return max(sum(math.hypot(off_x, off_y) <= radius for radius in radii), (x, y) == middle)
 

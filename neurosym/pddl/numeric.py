@@ -23,9 +23,20 @@ import msgspec
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.pddl.grid import AXES, levels, within
-from neurosym.pddl.strips import actions_in, common_head, predicates_in, symbol_table
+from neurosym.pddl.strips import TYPES, common_head, symbol_table
 from neurosym.pddl.strips_problem import in_metres, motion_name
-from neurosym.pddl.syntax import NUMERIC, OBJECT, Atom, Domain, Facts, PddlProblem, Typed, domain_name
+from neurosym.pddl.syntax import (
+    NUMERIC,
+    OBJECT,
+    Atom,
+    Domain,
+    Facts,
+    PddlProblem,
+    Typed,
+    actions_in,
+    domain_name,
+    predicates_in,
+)
 from neurosym.problems import SceneObject
 from neurosym.tasks.options import Move
 from neurosym.tasks.task import Task
@@ -65,15 +76,19 @@ def numeric_domain(grounding: Grounding) -> Domain:
         ),
         types=(("thing", OBJECT), ("motion", OBJECT), *((name, "thing") for name in categories)),
         constants=(),
-        predicates=predicates_in("""
+        predicates=predicates_in(
+            """
             (hand-empty) ; the hand holds nothing
             (pushes ?o ?m) ; ?m pushes ?o
             (lifts ?o ?m) ; ?m lifts ?o
             (lowers ?m ?up) ; ?m puts down what ?up lifted
             (lifted ?o ?m) ; ?m lifted ?o, and the hand holds it
-        """),
-        costs=predicates_in("(cost ?m)"),
-        actions=actions_in(f"""
+        """,
+            TYPES,
+        ),
+        costs=predicates_in("(cost ?m)", TYPES),
+        actions=actions_in(
+            f"""
             (push ?o ?m) ; push ?o
                 needs (hand-empty) (pushes ?o ?m)
                 costs (cost ?m)
@@ -89,8 +104,10 @@ def numeric_domain(grounding: Grounding) -> Domain:
                 adds (hand-empty)
                 deletes (lifted ?o ?up)
                 {moves}
-        """),
-        functions=predicates_in("(x ?o)\n(y ?o)\n(z ?o)\n(along-x ?m)\n(along-y ?m)\n(along-z ?m)"),
+        """,
+            TYPES,
+        ),
+        functions=predicates_in("(x ?o)\n(y ?o)\n(z ?o)\n(along-x ?m)\n(along-y ?m)\n(along-z ?m)", TYPES),
     )
 
 

@@ -8,9 +8,10 @@ take 2 s so, are not solved on the page in 60. On the same cells both have plans
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from neurosym.data.cells import Step
 from neurosym.grounding import Grounding
 from neurosym.pddl.compiler import check_object
-from neurosym.pddl.grid import AXES, goal_region, grid_of
+from neurosym.pddl.grid import AXES, anchor, goal_region, grid_of
 from neurosym.pddl.strips_problem import STEPS
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.options import Move, moves_for
@@ -47,7 +48,7 @@ class _Task:
         self.items = [problem.object_named(name) for name in sorted(problem.goals)]
         self._problem, self._grounding, self._margin = problem, grounding, margin
         self._grid = grid_of(grounding)
-        self._cells = [self._grid.cell_names(axis) for axis in range(3)]
+        self._cells = [cells.names for cells in self._grid]
         self._moves = [
             (item, move) for item in self.items for move in moves_for(item, grounding, problem.tolerance)
         ]
@@ -83,8 +84,8 @@ class _Task:
         """Return the value of each variable at the start."""
         values = dict.fromkeys(self.numbers, 0) | {("ready", ""): self._value("ready", _FREE)}
         for item in self.items:
-            anchor = self._grid.anchor(item.position)
-            values |= {(letter, item.name): cell for letter, cell in zip(AXES, anchor, strict=True)}
+            here = anchor(self._grid, item.position)
+            values |= {(letter, item.name): cell for letter, cell in zip(AXES, here, strict=True)}
             values["done", item.name] = 1
         return list(values.values())
 
@@ -136,7 +137,7 @@ class _Task:
             return
         axis = move.axes[number]
         names, variable = self._cells[axis], self.numbers[AXES[axis], item.name]
-        for before, after in self._grid.shifts(axis, move.cells[axis], self._margin):
+        for before, after in self._grid[axis].leads(Step(move.cells[axis]), self._margin * (axis < 2)):
             yield [names[before], names[after]], [(variable, before, after)]
 
 

@@ -9,7 +9,6 @@ Where relations were learned, objects are also put on and into one another; STRI
 rests on an object, so it counts what does.
 """
 
-import re
 import textwrap
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
@@ -18,17 +17,21 @@ from typing import NamedTuple
 
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
-from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Predicate, Typed
+from neurosym.pddl.movement import Along, movement_actions, movement_predicates
+from neurosym.pddl.syntax import OBJECT, Domain, Typed, actions_in, predicates_in
 from neurosym.tasks.options import puts_of
 
 WIDTH = 108
 """So many columns lines of comments have behind their semicolon, at most."""
 NOWHERE, FROM_SPOT, FROM_PERCH = "nowhere", "from-spot", "from-perch"
 _KINDS = (
-    "thing ?o ?b, spot ?p ?here ?next, count ?n ?more ?load ?less, x-cell ?x ?to-x, y-cell ?y ?to-y, "
-    "price ?c, motion ?m ?up, x-shift ?dx, y-shift ?dy, zone ?z, place ?at, perch ?q, origin ?from, way ?w"
+    "thing ?o ?b, spot ?p ?here ?next, count ?n ?more ?load ?less, price ?c, motion ?m ?up, zone ?z, "
+    "place ?at, perch ?q, origin ?from, way ?w"
 )
-_TYPES = {variable: kind for kind, *every in map(str.split, _KINDS.split(", ")) for variable in every}
+ALONG = tuple(Along(axis, f"?{axis}", f"?to-{axis}", f"?d{axis}", f"{axis}-shift") for axis in ("x", "y"))
+"""What is not carried is led along x and y."""
+TYPES = {variable: kind for kind, *every in map(str.split, _KINDS.split(", ")) for variable in every}
+TYPES |= {variable: kind for axis in ALONG for variable, kind in axis.types.items()}
 """Every variable has the same type wherever it stands."""
 WORDS = (
     "object thing place spot perch price motion zone origin count way x-cell y-cell x-shift y-shift nowhere "
@@ -78,9 +81,9 @@ def page(grounding: Grounding) -> Domain:
             *((name, "thing") for name in categories),
         ),
         constants=tuple(one for part in parts for one in part.constants),
-        predicates=tuple(one for part in parts for one in predicates_in(part.predicates)),
-        costs=predicates_in("(cost ?c)"),
-        actions=tuple(one for part in parts for one in actions_in(part.actions)),
+        predicates=tuple(one for part in parts for one in predicates_in(part.predicates, TYPES)),
+        costs=predicates_in("(cost ?c)", TYPES),
+        actions=tuple(one for part in parts for one in actions_in(part.actions, TYPES)),
     )
 
 
@@ -120,7 +123,7 @@ _LEADING = _Part(
     about="What is not carried is moved cell by cell: push, lift or put-down starts a motion ?m, named "
     "by its symbol, which shifts ?o by ?dx and ?dy cells; move-x and then move-y carry it out.",
     types=("motion", "zone", "x-cell", "y-cell", "x-shift", "y-shift"),
-    predicates="""
+    predicates=f"""
         (by-cells ?o) ; ?o is moved cell by cell, until it is taken
         (at-x ?o ?x) ; the centre of ?o is in that column of cells
         (at-y ?o ?y) ; and in that row
@@ -129,16 +132,12 @@ _LEADING = _Part(
         (lowers ?o ?m ?dx ?dy) ; putting down what ?m lifted shifts it so far
         (on-table ?o) ; ?o, moved by cells, is not lifted
         (lifted ?o ?m) ; ?m lifted ?o, and the hand holds it
-        (due-x ?o ?dx) ; ?o is under way, and has to go so far along x
-        (due-y ?o ?dy) ; and so far along y
-        (went-x ?o) ; ?o went along x already
-        (x-sum ?dx ?x ?to-x) ; from ?x, ?dx leads to ?to-x
-        (y-sum ?dy ?y ?to-y) ; from ?y, ?dy leads to ?to-y
+        {movement_predicates(ALONG)}
         (goal-cell ?o ?x ?y ?z) ; the cell is in zone ?z around the goal of ?o
         (goal-on-table ?o ?z) ; over zone ?z, ?o meets its goal on the table
         (goal-lifted ?o ?m ?z) ; over zone ?z, ?o meets its goal as high as ?m lifts it
     """,
-    actions="""
+    actions=f"""
         (push ?o ?m ?dx ?dy ?c) ; begin to push ?o
             needs (ready) (hand-empty) (by-cells ?o) (pushes ?o ?m ?dx ?dy ?c)
             adds (due-x ?o ?dx) (due-y ?o ?dy)
@@ -153,14 +152,7 @@ _LEADING = _Part(
             needs (ready) (lifted ?o ?m) (lowers ?o ?m ?dx ?dy)
             adds (due-x ?o ?dx) (due-y ?o ?dy) (hand-empty) (on-table ?o)
             deletes (ready) (lifted ?o ?m) (done ?o)
-        (move-x ?o ?dx ?x ?to-x) ; shift ?o along x
-            needs (due-x ?o ?dx) (at-x ?o ?x) (x-sum ?dx ?x ?to-x)
-            adds (went-x ?o) (at-x ?o ?to-x)
-            deletes (due-x ?o ?dx) (at-x ?o ?x)
-        (move-y ?o ?dy ?y ?to-y) ; and along y, which ends the motion
-            needs (went-x ?o) (due-y ?o ?dy) (at-y ?o ?y) (y-sum ?dy ?y ?to-y)
-            adds (ready) (at-y ?o ?to-y)
-            deletes (went-x ?o) (due-y ?o ?dy) (at-y ?o ?y)
+        {movement_actions(ALONG)}
         (reach-cell ?o ?x ?y ?z) ; note that ?o lies where its goal is
             needs (ready) (on-table ?o) (goal-on-table ?o ?z) (at-x ?o ?x) (at-y ?o ?y)
                 (goal-cell ?o ?x ?y ?z)
@@ -273,38 +265,6 @@ def _takes_loads(grounding: Grounding) -> bool:
 def _unloaded(grounding: Grounding) -> str:
     """Return what is asked of an object that is taken: nothing rests on it, unless that may go along."""
     return "(bears ?o n0)" if puts_of(grounding) and not _takes_loads(grounding) else ""
-
-
-def actions_in(text: str) -> tuple[Action, ...]:
-    """Read actions that are written as the page has them: a head, and under it what each needs and does."""
-    found = []
-    for block in filter(str.strip, re.split(r"\n(?=\s*\([^()]*\) ;)", text)):
-        head, *clauses = re.split(r"\s(needs|adds|deletes|costs|tests|changes)\s", block)
-        clause = dict(zip(clauses[::2], clauses[1::2], strict=True))
-        (one,) = predicates_in(head)
-        needs, adds, deletes, costs = (
-            _atoms(clause.get(name, "")) for name in ("needs", "adds", "deletes", "costs")
-        )
-        numbers = [
-            (" ".join(clause[name].split()),) if name in clause else () for name in ("tests", "changes")
-        ]
-        price = costs[0] if costs else None
-        found.append(Action(one.name, one.about, one.parameters, needs, adds, deletes, price, *numbers))
-    return tuple(found)
-
-
-def predicates_in(text: str) -> tuple[Predicate, ...]:
-    """Read predicates, each on a line with what it says behind it."""
-    found = []
-    for line in filter(None, map(str.strip, text.splitlines())):
-        words, _, about = line.partition(" ; ")
-        ((name, *parameters),) = _atoms(words)
-        found.append(Predicate(name, tuple((one, _TYPES[one]) for one in parameters), about))
-    return tuple(found)
-
-
-def _atoms(text: str) -> tuple[Atom, ...]:
-    return tuple(tuple(found.split()) for found in re.findall(r"\(([^()]*)\)", text))
 
 
 def symbol_table(grounding: Grounding, *, with_others: bool = True) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding, is_lift
 from neurosym.pair_operators import case_of
 from neurosym.pddl import strips
+from neurosym.pddl.grid import anchor
 from neurosym.pddl.strips_problem import (
     BEGUN_BY,
     COUNTS,
@@ -98,7 +99,7 @@ class _Writer:
         self.now = start(self._task)
         flat = self._task.flat
         self._cells = {
-            name: [*self._printed.grid.anchor(flat.object_named(name).position)] for name in printed.led
+            name: [*anchor(self._printed.grid, flat.object_named(name).position)] for name in printed.led
         }
         self._lifted: tuple[str, str] | None = None
         self.actions, self.facts = list[Atom](), list[Atom]()
@@ -137,9 +138,9 @@ class _Writer:
         self.moves.append((name, move.operator.name))
         for axis, mover in enumerate(("move-x", "move-y")):
             before, here[axis] = here[axis], here[axis] + move.cells[axis]
-            if not 0 <= here[axis] <= self._printed.grid.last[axis]:
+            if not 0 <= here[axis] < self._printed.grid[axis].count:
                 raise InvalidValue(f"{move.name} leads {name} off the grid along {'xy'[axis]}.")
-            cells = [self._printed.grid.cell_name(axis, cell) for cell in (before, here[axis])]
+            cells = [self._printed.grid[axis].name(cell) for cell in (before, here[axis])]
             self.actions.append((mover, name, told[2 + axis], *cells))
             self.facts.append((f"{'xy'[axis]}-sum", told[2 + axis], *cells))
         self._lifted = (name, motion_name(move)) if move.kind == "lift" else None
@@ -148,7 +149,7 @@ class _Writer:
         """Note that an object is at its goal, over cells."""
         x, y, _ = self._cells[name]
         zone = zone_name(self._printed.regions[name].zone.get((x, y), 1))
-        here = [self._printed.grid.cell_name(0, x), self._printed.grid.cell_name(1, y), zone]
+        here = [self._printed.grid[0].name(x), self._printed.grid[1].name(y), zone]
         if self._lifted and self._lifted[0] == name:
             self.actions.append(("reach-lifted", *self._lifted, *here))
             self.facts.append(("goal-lifted", *self._lifted, zone))

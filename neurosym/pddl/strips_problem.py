@@ -7,11 +7,13 @@ from itertools import pairwise
 
 import msgspec
 
+from neurosym.data.cells import Cells, Step
 from neurosym.errors import counted
 from neurosym.grounding import Grounding
 from neurosym.pair_operators import PairState
-from neurosym.pddl.grid import GoalRegion, Grid, goal_region, grid_of
-from neurosym.pddl.strips import FROM_PERCH, FROM_SPOT, NOWHERE
+from neurosym.pddl.grid import GoalRegion, anchor, goal_region, grid_of
+from neurosym.pddl.movement import sums
+from neurosym.pddl.strips import ALONG, FROM_PERCH, FROM_SPOT, NOWHERE
 from neurosym.pddl.syntax import Atom, Facts, PddlProblem, Typed
 from neurosym.tasks.options import Move, Put
 from neurosym.tasks.supports import loads_of
@@ -30,7 +32,6 @@ COARSEST = 2
 """So many of the domain's cells a cell of a problem is long at most."""
 CELLS_IN_TOLERANCE = 5
 """So many cells the tolerance of goals holds at least, or as many as the domain's own cells allow."""
-_AXES = (("x", "x-cell", "x-shift"), ("y", "y-cell", "y-shift"))
 
 
 def printed_cell(task: Task) -> float:
@@ -47,7 +48,7 @@ def motion_name(move: Move) -> str:
 
 def step_name(axis: int, cells: int) -> str:
     """Name a step along an axis, like `dx12` or `dx-3`."""
-    return f"d{'xy'[axis]}{cells}"
+    return f"d{ALONG[axis].name}{cells}"
 
 
 BEGUN_BY = {"rest": ("push", "pushes"), "lift": ("lift", "lifts"), "put-down": ("put-down", "lowers")}
@@ -101,7 +102,7 @@ class StripsProblem:
         self.cells = grid or msgspec.structs.replace(task.grounding, cell=printed_cell(task))
 
     @cached_property
-    def grid(self) -> Grid:
+    def grid(self) -> tuple[Cells, Cells, Cells]:
         """The grid that objects are led over."""
         return grid_of(self.cells)
 
@@ -157,7 +158,7 @@ class StripsProblem:
             yield "start-: where an object stands at first; goal-: meets a goal; park-: to wait at."
         if self.led:
             yield (
-                f"Cells of {1000 * self.grid.cell:g} mm. A goal is met within "
+                f"Cells of {1000 * self.cells.cell:g} mm. A goal is met within "
                 f"{1000 * problem.tolerance:g} mm; goal cells keep inside by what the rounding of "
                 f"{counted(self.steps, 'motion')} may take."
             )
@@ -178,9 +179,9 @@ class StripsProblem:
             yield from ((name, "motion") for name in sorted(motions))
             zones = {1, *(zone for region in self.regions.values() for zone in region.zone.values())}
             yield from ((zone_name(zone), "zone") for zone in sorted(zones))
-            for axis, (_, cell, step) in enumerate(_AXES):
-                yield from ((step_name(axis, cells), step) for cells in self._steps(axis))
-                yield from ((name, cell) for name in self.grid.cell_names(axis))
+            for number, axis in enumerate(ALONG):
+                yield from ((step_name(number, cells), axis.steps) for cells in self._steps(number))
+                yield from ((name, f"{axis.name}-cell") for name in self.grid[number].names)
         yield from ((price_name(cost), "price") for cost in self._prices)
 
     def _facts(self) -> Iterator[Facts]:
@@ -314,9 +315,9 @@ class StripsProblem:
     # Cells
 
     def _leading(self, name: str) -> Iterator[Facts]:
-        problem, names = self.task.problem, [self.grid.cell_names(axis) for axis in (0, 1)]
+        problem, names = self.task.problem, [cells.names for cells in self.grid]
         item, goal, moves = problem.object_named(name), problem.goals.get(name), self.moves[name]
-        x, y, _ = self.grid.anchor(item.position)
+        x, y, _ = anchor(self.grid, item.position)
         atoms: list[Atom] = [
             *(("by-cells", name), ("on-table", name)),
             *(("at-x", name, names[0][x]), ("at-y", name, names[1][y])),
@@ -343,11 +344,9 @@ class StripsProblem:
         return sorted({move.cells[axis] for moves in self.moves.values() for move in moves})
 
     def _sums(self) -> Iterator[Atom]:
-        for axis, (letter, *_) in enumerate(_AXES):
-            names = self.grid.cell_names(axis)
-            for cells in self._steps(axis):
-                for here, then in self.grid.shifts(axis, cells, self.margin if cells else 0):
-                    yield f"{letter}-sum", step_name(axis, cells), names[here], names[then]
+        for axis, cells in enumerate(self.grid[: len(ALONG)]):
+            for by in self._steps(axis):
+                yield from sums(cells, Step(by), step_name(axis, by), self.margin if by else 0)
 
 
 def _plain(state: PairState) -> str:

@@ -3,6 +3,7 @@
 Everything is positive STRIPS with types, and costs. An atom is its words, like `("stands", "?o", "?p")`.
 """
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
@@ -152,6 +153,38 @@ def _declared(names: Iterable[Typed], between: str = " ") -> str:
     """Print names with their types, those of one type that follow each other in a row."""
     rows = groupby(names, key=lambda one: one[1])
     return between.join(f"{' '.join(name for name, _ in row)} - {kind}" for kind, row in rows)
+
+
+def actions_in(text: str, types: Mapping[str, str]) -> tuple[Action, ...]:
+    """Read actions that are written as the page has them: a head, and under it what each needs and does."""
+    found = []
+    for block in filter(str.strip, re.split(r"\n(?=\s*\([^()]*\) ;)", text)):
+        head, *clauses = re.split(r"\s(needs|adds|deletes|costs|tests|changes)\s", block)
+        clause = dict(zip(clauses[::2], clauses[1::2], strict=True))
+        (one,) = predicates_in(head, types)
+        needs, adds, deletes, costs = (
+            _atoms(clause.get(name, "")) for name in ("needs", "adds", "deletes", "costs")
+        )
+        numbers = [
+            (" ".join(clause[name].split()),) if name in clause else () for name in ("tests", "changes")
+        ]
+        price = costs[0] if costs else None
+        found.append(Action(one.name, one.about, one.parameters, needs, adds, deletes, price, *numbers))
+    return tuple(found)
+
+
+def predicates_in(text: str, types: Mapping[str, str]) -> tuple[Predicate, ...]:
+    """Read predicates, each on a line with what it says behind it."""
+    found = []
+    for line in filter(None, map(str.strip, text.splitlines())):
+        words, _, about = line.partition(" ; ")
+        ((name, *parameters),) = _atoms(words)
+        found.append(Predicate(name, tuple((one, types[one]) for one in parameters), about))
+    return tuple(found)
+
+
+def _atoms(text: str) -> tuple[Atom, ...]:
+    return tuple(tuple(found.split()) for found in re.findall(r"\(([^()]*)\)", text))
 
 
 @dataclass(slots=True)

@@ -15,8 +15,10 @@ search goes from state to state.
 """
 
 import math
-from collections.abc import Hashable, Iterator, Sequence
+import sys
+from collections.abc import Callable, Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 
@@ -223,33 +225,72 @@ def plan_related(
     """Find a plan with the fewest steps for objects that bear one another, the first in breadth-first order.
 
     A step puts an object on or into another one, or carries it to a place. What it leads to is what its
-    operator promises; with which pairs that is likely, a problem says as a network foresees it. Ends that
-    were met before are not looked at again. It stops once so many steps were looked at, possible or not.
+    operator promises; with which pairs that is likely, a problem says as a network foresees it.
     """
     task = understand(problem, grounding)
     every = _every_step(task)
 
+    def onward(now: State) -> Iterator[tuple[PlanStep, State | None]]:
+        yield from ((step, None if refusal(task, now, step) else apply(task, now, step)) for step in every)
+
+    return breadth_first(
+        start(task),
+        onward,
+        lambda now: missed(task, now) is None,
+        _key,
+        time_limit=time_limit,
+        most_steps=most_steps,
+        otherwise="no sequence of steps leads there with the places that were drawn",
+    )
+
+
+_State = TypeVar("_State")
+
+
+def breadth_first(
+    begin: _State,
+    onward: Callable[[_State], Iterable[tuple[PlanStep, _State | None]]],
+    is_met: Callable[[_State], bool],
+    key: Callable[[_State], Hashable],
+    *,
+    time_limit: float,
+    most_steps: int,
+    otherwise: str,
+    depth: int = sys.maxsize,
+) -> PlanResult:
+    """Search from state to state; states that were met before are not looked at again.
+
+    Args:
+        begin: Where to begin.
+        onward: Lists the steps from a state, each with where it leads, or None if it is not possible.
+        is_met: Says whether a state meets the goal.
+        key: Tells states apart.
+        time_limit: The user's ceiling [s].
+        most_steps: How many steps are looked at, possible or not.
+        otherwise: Why there is no plan if all were.
+        depth: How many steps a plan may have.
+    """
+
     def search(deadline: float) -> PlanResult:
-        level: list[tuple[tuple[PlanStep, ...], State]] = [((), start(task))]  # steps, and what they lead to
-        met, looked, depth = {_key(start(task))}, 0, 0
-        while level:
-            found, depth = list[tuple[tuple[PlanStep, ...], State]](), depth + 1
+        level: list[tuple[tuple[PlanStep, ...], _State]] = [((), begin)]  # steps, and what they lead to
+        met, looked, deep = {key(begin)}, 0, 0
+        while level and deep < depth:
+            found, deep = list[tuple[tuple[PlanStep, ...], _State]](), deep + 1
             for before, now in level:
                 check_time(deadline)
-                looked += len(every)
-                for step in every:
-                    if refusal(task, now, step) or _key(then := apply(task, now, step)) in met:
+                for step, then in onward(now):
+                    looked += 1
+                    if then is None or key(then) in met:
                         continue
-                    met.add(_key(then))
+                    met.add(key(then))
                     found.append(((*before, step), then))
-                    if missed(task, then) is None:
+                    if is_met(then):
                         return PlanResult(PlanStatus.SOLVED, found[-1][0], 0.0)
                 if looked > most_steps:
-                    reason = f"{counted(most_steps, 'step')} were looked at, {depth - 1} deep"
-                    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason, depth - 1)
+                    reason = f"{counted(most_steps, 'step')} were looked at, {deep - 1} deep"
+                    return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason, deep - 1)
             level = found
-        reason = "no sequence of steps leads there with the places that were drawn"
-        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason, depth)
+        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, otherwise, deep)
 
     return within(time_limit, search)
 

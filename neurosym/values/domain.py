@@ -12,7 +12,8 @@ import numpy as np
 
 from neurosym.checks import Document, Float
 from neurosym.data.axes import Axis, legal_name
-from neurosym.errors import InvalidValue, UnknownChoice
+from neurosym.data.cells import Cells, Step
+from neurosym.errors import UnknownChoice
 from neurosym.operators import (
     Category,
     Count,
@@ -28,116 +29,6 @@ from neurosym.operators import (
 FORMAT = "neurosym-values-1"
 MOST_STATES = 20_000
 """So many states a thing may be in at most, counted by the axes that features show."""
-
-
-class Step(Document, frozen=True, omit_defaults=True):
-    """What an outcome does along one axis: so many cells, or to one cell; it stays if neither."""
-
-    by: int = 0  # so many cells
-    to: int | None = None  # to the cell of that number
-
-    @property
-    def stays(self) -> bool:
-        """Whether it does nothing."""
-        return not self.by and self.to is None
-
-
-class Cells:
-    """The cells of an axis of which everything is known."""
-
-    def __init__(self, axis: Axis):
-        self.axis = axis
-        if axis.kind == "flag":
-            self.low, self.size, self.count = 0.0, 1.0, 2
-        elif axis.period is not None:
-            self.count = max(2, round(axis.period / (axis.cell or axis.period)))
-            self.low, self.size = axis.low or 0.0, axis.period / self.count
-        else:
-            self.low, self.size = axis.low or 0.0, axis.cell or 1.0
-            self.count = math.floor((axis.span or 1.0) / self.size + 1e-6) + 1
-
-    def index(self, value: float) -> int:
-        """Return the cell of a value; `InvalidValue` if it lies outside of the bounds."""
-        number = round((value - self.low) / self.size)
-        if self.axis.period is not None:
-            return number % self.count
-        if not 0 <= number < self.count:
-            least, most = self.low, self.low + (self.count - 1) * self.size
-            raise InvalidValue(
-                f"{self.axis.name} = {value:g} lies out of bounds; valid: {least:g} to {most:g}."
-            )
-        return number
-
-    def clipped(self, value: float) -> int:
-        """Return the cell that is nearest to a value."""
-        number = round((value - self.low) / self.size)
-        return number % self.count if self.axis.period is not None else min(max(number, 0), self.count - 1)
-
-    def centre(self, number: int) -> float:
-        """Return the value in the middle of a cell."""
-        return self.low + number * self.size
-
-    def led(self, here: int, step: Step) -> int | None:
-        """Return where a step leads from a cell; None if that is out of bounds."""
-        if step.to is not None:
-            return step.to
-        there = here + step.by
-        if self.axis.period is not None:
-            return there % self.count
-        return there if 0 <= there < self.count else None
-
-    def shift(self, change: float) -> int:
-        """Round a change to whole cells, the shorter way round for an angle."""
-        return round(self.axis.apart(change, 0.0) / self.size)
-
-    def near(self, goal: float | tuple[float, float]) -> tuple[int, ...]:
-        """Return the cells that meet a goal: a value, within the tolerance, or bounds.
-
-        These are the cells that lie in it whole, or else those of which the middle does; a value has one.
-        """
-        if self.axis.kind == "flag" and goal not in (0, 1, (0, 0), (0, 1), (1, 1)):
-            raise InvalidValue(f"{self.axis.name} cannot be {goal}; valid: 0 and 1, or no and yes.")
-        middle, room = self._around(goal)
-        off = [abs(self.axis.apart(self.centre(n), middle)) for n in range(self.count)]
-        found = [n for n in range(self.count) if off[n] + self.size / 2 <= room]
-        if not found:  # the middle of a cell is in it, or else a value lies in a cell
-            most = room if isinstance(goal, tuple) else min(off) if min(off) <= self.size / 2 else room
-            found = [n for n in range(self.count) if off[n] <= most + 1e-9]
-        if not found:
-            raise InvalidValue(f"No cell of {self.axis.name} meets the goal {goal}; its cells are {self}.")
-        return tuple(found)
-
-    def meets(self, goal: float | tuple[float, float], value: float) -> bool:
-        """Say whether a value itself meets a goal: within bounds, or within its tolerance or half a cell."""
-        middle, room = self._around(goal)
-        least = 1e-6 if isinstance(goal, tuple) or self.axis.kind == "flag" else self.size / 2
-        return abs(self.axis.apart(value, middle)) <= max(room, least)
-
-    def _around(self, goal: float | tuple[float, float]) -> tuple[float, float]:
-        """Return the middle of a goal, and how far from it is near enough."""
-        if isinstance(goal, tuple):
-            low, high = goal
-            high += (self.axis.period or 0.0) * (high < low)  # over the seam of an angle
-            return (low + high) / 2, (high - low) / 2 + 1e-9
-        return goal, self.axis.tolerance or 0.0
-
-    def name(self, number: int) -> str:
-        """Name a cell, like `speed12`, or `open-yes` for a flag."""
-        said = ("-no", "-yes")[number] if self.axis.kind == "flag" else str(number)
-        return f"{self.axis.name}{'-' * self.axis.name[-1].isdigit() if said[0] != '-' else ''}{said}"
-
-    def step_name(self, step: Step) -> str:
-        """Name a step, like `speed-by-m3`, `gear-to-2` or `speed-by-0`."""
-        if step.to is not None:
-            return f"to-{self.name(step.to)}"
-        return f"{self.axis.name}-by-{step.by}".replace("--", "-m")
-
-    def __str__(self) -> str:
-        unit = f" {self.axis.unit}" if self.axis.unit else ""
-        if self.axis.kind == "flag":
-            return "no and yes"
-        most = self.low + (self.count - 1) * self.size
-        return f"{self.low:g} to {most:g}{unit} by {self.size:g}"
 
 
 class Outcome(Document, frozen=True):
@@ -187,6 +78,11 @@ class ValueDomain(Versioned, frozen=True, omit_defaults=True):
     operators: tuple[ValueOperator, ...]  #: All that was seen often enough, by name
     readable = (FORMAT,)
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for axis in self.axes:
+            axis.check_cells()
+
     @property
     def cells(self) -> tuple[Cells, ...]:
         """The cells of each axis."""
@@ -201,11 +97,6 @@ class ValueDomain(Versioned, frozen=True, omit_defaults=True):
     def shown_cells(self) -> tuple[Cells, ...]:
         """The cells of the axes that features show, which a state of a thing is made of."""
         return tuple(cells for cells, by in zip(self.cells, self.shown, strict=True) if by is not None)
-
-    def told(self, operator: ValueOperator) -> str:
-        """Say what an operator does, like `speed-by-2, to-open-yes`."""
-        pairs = zip(self.cells, operator.outcome.steps, strict=True)
-        return ", ".join(cells.step_name(step) for cells, step in pairs if not step.stays)
 
     def in_words(self, operator: ValueOperator) -> str:
         """Say what an operator does in units of the data, like `temperature +1.98 C, window becomes yes`."""

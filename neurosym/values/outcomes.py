@@ -16,6 +16,7 @@ import numpy as np
 
 from neurosym.checks import Bool, Float
 from neurosym.data.axes import Axis, axes_in
+from neurosym.data.cells import Cells, Step
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import chosen
 from neurosym.errors import InvalidValue
@@ -27,7 +28,7 @@ from neurosym.operators import (
     name_axes,
     names_of_features,
 )
-from neurosym.values.domain import FORMAT, Cells, Outcome, Step, ValueDomain, ValueOperator, shown_by
+from neurosym.values.domain import FORMAT, Outcome, ValueDomain, ValueOperator, shown_by
 
 MOST_OUTCOMES = 4
 """So many outcomes of one action on one category are told apart at most."""

@@ -8,56 +8,71 @@ import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 
 from neurosym.data.category_names import traits_of
+from neurosym.data.cells import Cells
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.operators import Symbol
+from neurosym.pddl.movement import Along, movement_actions, movement_predicates, sums
 from neurosym.pddl.strips import WIDTH
-from neurosym.pddl.syntax import OBJECT, Action, Atom, Domain, Facts, PddlProblem, Predicate, Typed
+from neurosym.pddl.syntax import OBJECT, Atom, Domain, Facts, PddlProblem, Typed, actions_in, predicates_in
 from neurosym.tasks.transition import PlanStep
-from neurosym.values.domain import Cells, Step, ValueDomain, ValueOperator
+from neurosym.values.domain import ValueDomain, ValueOperator
 from neurosym.values.problem import Cell, Thing, ValueTask
+
+
+def _along(domain: ValueDomain) -> tuple[Along, ...]:
+    """Return the axes as the page has them."""
+    names = (axis.name for axis in domain.axes)
+    return tuple(Along(one, f"?{one}-cell", f"?{one}-to", f"?{one}-step", f"{one}-step") for one in names)
 
 
 def value_page(domain: ValueDomain) -> Domain:
     """Return the page of a learned domain of values."""
-    axes = [axis.name for axis in domain.axes]
-    shown = [name for name, by in zip(axes, domain.shown, strict=True) if by is not None]
-    here: list[Typed] = [(f"?{name}", f"{name}-cell") for name in shown]
-    steps: list[Typed] = [(f"?{name}-step", f"{name}-step") for name in axes]
-    category: list[Typed] = [("?k", "category")]
-    kind: Atom = ("is-then", "?o", *(name for name, _ in here), "?k")
-    act = Action(
-        "act",
-        "perform an operator on ?o, which is of its category here",
-        (("?o", "thing"), ("?do", "operator"), *category, *here, *steps, ("?c", "price")),
-        (
-            ("ready",),
-            kind,
-            *((f"at-{name}", "?o", f"?{name}") for name in shown),
-            ("does", "?do", "?k", *(name for name, _ in steps), "?c"),
-        ),
-        tuple((f"due-{name}", "?o", f"?{name}-step") for name in axes),
-        (("ready",), *(("done-" + name, "?o") for name in axes)),
-        ("cost", "?c"),
-    )
+    axes = _along(domain)
+    shown = [axis for axis, by in zip(axes, domain.shown, strict=True) if by is not None]
+    types = {"?o": "thing", "?do": "operator", "?k": "category", "?c": "price"}
+    types |= {variable: kind for axis in axes for variable, kind in axis.types.items()}
+    here, steps = " ".join(one.cell for one in shown), " ".join(one.step for one in axes)
+    at_here = _each(shown, "(at-{name} ?o {cell})")
+    predicates = f"""
+        (ready) ; no operator is under way
+        (is-then ?o {here} ?k) ; the category of ?o in that state
+        (does ?do ?k {steps} ?c) ; by how far, and its price
+        {_each(axes, "(at-{name} ?o {cell}) ; the {name} of ?o is in that cell")}
+        {movement_predicates(axes)}
+        {_each(axes, "(goal-{name} ?o {cell}) ; that cell meets its goal")}
+        {_each(axes, "(done-{name} ?o) ; it was noted to meet its goal")}
+    """
+    reach = """
+        (reach-{name} ?o {cell}) ; note that {name} meets the goal of ?o
+            needs (ready) (at-{name} ?o {cell}) (goal-{name} ?o {cell})
+            adds (done-{name} ?o)
+    """
+    actions = f"""
+        (act ?o ?do ?k {here} {steps} ?c) ; perform an operator on ?o, which is of its category here
+            needs (ready) (is-then ?o {here} ?k) {at_here} (does ?do ?k {steps} ?c)
+            adds {_each(axes, "(due-{name} ?o {step})")}
+            deletes (ready) {_each(axes, "(done-{name} ?o)")}
+            costs (cost ?c)
+        {movement_actions(axes)}
+        {_each(axes, reach)}
+    """
     return Domain(
         name=domain.name,
         head=tuple(_head(domain)),
         types=(
             *((one, OBJECT) for one in ("thing", "category", "operator", "price")),
-            *((f"{name}-{part}", OBJECT) for name in axes for part in ("cell", "step")),
+            *((kind, OBJECT) for axis in axes for kind in (f"{axis.name}-cell", axis.steps)),
         ),
         constants=(),
-        predicates=(
-            Predicate("ready", (), "no operator is under way"),
-            Predicate("is-then", (("?o", "thing"), *here, *category), "the category of ?o in that state"),
-            Predicate(
-                "does", (("?do", "operator"), *category, *steps, ("?c", "price")), "by how far, and its price"
-            ),
-            *(one for name in axes for one in _predicates(name)),
-        ),
-        costs=(Predicate("cost", (("?c", "price"),), ""),),
-        actions=(act, *(one for number in range(len(axes)) for one in _actions(axes, number))),
+        predicates=predicates_in(predicates, types),
+        costs=predicates_in("(cost ?c)", types),
+        actions=actions_in(actions, types),
     )
+
+
+def _each(axes: Iterable[Along], text: str) -> str:
+    """Write the same of each axis."""
+    return "\n".join(text.format(**axis._asdict()) for axis in axes)
 
 
 def _head(domain: ValueDomain) -> Iterator[str]:
@@ -73,45 +88,7 @@ def _head(domain: ValueDomain) -> Iterator[str]:
         said = f"{apart}; on average {means}" if apart else means or "never seen"
         yield from textwrap.wrap(f"{category.name}: {said}", WIDTH, break_on_hyphens=False)
     for one in domain.operators:
-        yield f"{one.name}: {domain.told(one)}, {one.chance:.0%}"
-
-
-def _predicates(name: str) -> Iterator[Predicate]:
-    thing, cell, step = ("?o", "thing"), (f"?{name}", f"{name}-cell"), (f"?{name}-step", f"{name}-step")
-    yield Predicate(f"at-{name}", (thing, cell), f"the {name} of ?o is in that cell")
-    yield Predicate(f"due-{name}", (thing, step), "it is about to go so far")
-    yield Predicate(f"went-{name}", (thing,), "it went there already")
-    yield Predicate(f"{name}-leads", (step, cell, ("?to", cell[1])), "a step leads from one cell to another")
-    yield Predicate(f"goal-{name}", (thing, cell), "that cell meets its goal")
-    yield Predicate(f"done-{name}", (thing,), "it was noted to meet its goal")
-
-
-def _actions(axes: Sequence[str], number: int) -> Iterator[Action]:
-    """Return what moves a thing along an axis after those before it, and what notes its goal."""
-    name, first, last = axes[number], number == 0, number == len(axes) - 1
-    thing, cell, step = ("?o", "thing"), (f"?{name}", f"{name}-cell"), (f"?{name}-step", f"{name}-step")
-    before: tuple[Atom, ...] = () if first else ((f"went-{axes[number - 1]}", "?o"),)
-    due, here, there = (
-        (f"due-{name}", "?o", step[0]),
-        (f"at-{name}", "?o", cell[0]),
-        (f"at-{name}", "?o", "?to"),
-    )
-    then: Atom = ("ready",) if last else (f"went-{name}", "?o")
-    yield Action(
-        f"move-{name}",
-        f"{name} goes as far as it is due",
-        (thing, step, cell, ("?to", cell[1])),
-        (due, here, (f"{name}-leads", step[0], cell[0], "?to"), *before),
-        (there, then),
-        (due, here, *before),
-    )
-    yield Action(
-        f"reach-{name}",
-        f"note that {name} meets the goal of ?o",
-        (thing, cell),
-        (("ready",), here, (f"goal-{name}", "?o", cell[0])),
-        ((f"done-{name}", "?o"),),
-    )
+        yield f"{one.name}: {domain.in_words(one)}, {one.chance:.0%}"
 
 
 def value_problem(task: ValueTask) -> PddlProblem:
@@ -127,9 +104,11 @@ def value_problem(task: ValueTask) -> PddlProblem:
     leads = list[Facts]()
     for number, cells in enumerate(domain.cells):
         name, steps = cells.axis.name, {one.outcome.steps[number] for one in offered}
-        leads.append(_leads(cells, steps))
-        objects += [(cells.name(n), f"{name}-cell") for n in range(cells.count)]
-        objects += sorted((cells.step_name(step), f"{name}-step") for step in steps)
+        named = sorted((cells.step_name(step), step) for step in steps)
+        told = (atom for step_name, step in named for atom in sums(cells, step, step_name))
+        leads.append(Facts(f"where steps of {name} lead", tuple(told)))
+        objects += [(cell, f"{name}-cell") for cell in cells.names]
+        objects += [(step_name, f"{name}-step") for step_name, _ in named]
     return PddlProblem(
         name=problem.name,
         domain=domain.name,
@@ -169,18 +148,6 @@ def _does(domain: ValueDomain, one: ValueOperator) -> Atom:
     steps = zip(domain.cells, one.outcome.steps, strict=True)
     far = (cells.step_name(step) for cells, step in steps)
     return ("does", one.name, domain.category(one.category).name, *far, f"cost{one.cost}")
-
-
-def _leads(cells: Cells, steps: Iterable[Step]) -> Facts:
-    """Say from which cell of an axis steps lead to which."""
-    name, named = cells.axis.name, sorted((cells.step_name(step), step) for step in steps)
-    leads = tuple(
-        (f"{name}-leads", step_name, cells.name(here), cells.name(there))
-        for step_name, step in named
-        for here in range(cells.count)
-        if (there := cells.led(here, step)) is not None
-    )
-    return Facts(f"where steps of {name} lead", leads)
 
 
 def _meets(task: ValueTask) -> Iterator[Atom]:

@@ -1,28 +1,29 @@
 """Planning with values: any program on the page, or the paper's breadth-first search over states."""
 
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import msgspec
 import numpy as np
 
 from neurosym.checks import Float
+from neurosym.data.cells import Step
 from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, counted
 from neurosym.files import naming
 from neurosym.operators import Symbol
 from neurosym.pddl.plan_reading import read_words
-from neurosym.planners.bfs import DEPTH
+from neurosym.planners.bfs import DEPTH, MOST_SEQUENCES, breadth_first
 from neurosym.planners.external import scratch_folder
 from neurosym.planners.planner import Planner, PlanResult, PlanStatus
 from neurosym.tasks.transition import PlanStep
-from neurosym.values.domain import Outcome, Step, ValueDomain, ValueOperator
+from neurosym.values.domain import Outcome, ValueDomain, ValueOperator
 from neurosym.values.problem import Cell, ValueTask
 from neurosym.values.value_page import known_words, read_steps, value_page, value_problem
 
-MOST_STATES = 200_000
-"""So many states are looked at by breadth-first search."""
 _ANSWER = Path("its plan")
+States = tuple[Cell, ...]
+"""The cells of each thing."""
 Predict = Callable[[Sequence[Symbol], Sequence[Symbol]], Float[np.ndarray, "N E"]]
 """Gives the effects that a network predicts of object symbols and action symbols, pair by pair."""
 
@@ -52,11 +53,13 @@ def plan_values(
         if not planner.name.startswith("bfs"):
             raise InvalidValue(f"{planner.name} does not plan with values; valid: bfs, or a planner of PDDL.")
         over = predicted(task.domain, predict) if predict else task.domain
-        status, steps, reason = search(ValueTask(task.problem, over), begin + time_limit)
-        if status is PlanStatus.SOLVED and (said := task.replay(steps)[1]):
-            reason = f"the network predicts a plan of {counted(len(steps), 'step')}; by the data, {said}"
-            status, steps = PlanStatus.NOT_FOUND, ()
-        return PlanResult(status, steps, time.perf_counter() - begin, reason, DEPTH)
+        result = search(ValueTask(task.problem, over), time_limit=time_limit)
+        if result.has_plan and (said := task.replay(result.steps)[1]):
+            reason = (
+                f"the network predicts a plan of {counted(len(result.steps), 'step')}; by the data, {said}"
+            )
+            return PlanResult(PlanStatus.NOT_FOUND, (), result.seconds, reason, DEPTH)
+        return result
     with scratch_folder() as folder:
         files = folder / "domain.pddl", folder / "problem.pddl"
         costs = planner.program.costs
@@ -78,29 +81,30 @@ def plan_values(
     return PlanResult(PlanStatus.SOLVED, steps, seconds)
 
 
-def search(task: ValueTask, deadline: float) -> tuple[PlanStatus, tuple[PlanStep, ...], str]:
-    """Search breadth first, `DEPTH` operators deep, as the paper does; see `PlanResult`."""
-    frontier: list[tuple[Mapping[str, Cell], tuple[PlanStep, ...]]] = [(task.start, ())]
-    seen = {tuple(task.start.values())}
-    for _ in range(DEPTH):
-        onward = list[tuple[Mapping[str, Cell], tuple[PlanStep, ...]]]()
-        for states, steps in frontier:
-            if time.perf_counter() > deadline:
-                return PlanStatus.TIMEOUT, (), "the time limit cut in"
-            for thing, here in states.items():
-                for operator in task.domain.operators:
-                    if task.refusal(thing, here, operator):
-                        continue
-                    then = {**states, thing: task.apply(here, operator) or ()}
-                    plan = (*steps, PlanStep(operator.name, thing))
-                    if not next(task.missed(then), ""):
-                        return PlanStatus.SOLVED, plan, ""
-                    if (key := tuple(then.values())) not in seen and len(seen) < MOST_STATES:
-                        seen.add(key)
-                        onward.append((then, plan))
-        frontier = onward
-    reason = f"breadth-first search found no plan of {DEPTH} operators or fewer"
-    return PlanStatus.NOT_FOUND, (), reason
+def search(task: ValueTask, *, time_limit: float) -> PlanResult:
+    """Search breadth first, `DEPTH` operators deep, as the paper does."""
+    names = tuple(task.start)
+
+    def onward(states: States) -> Iterator[tuple[PlanStep, States | None]]:
+        for number, (thing, here) in enumerate(zip(names, states, strict=True)):
+            for operator in task.domain.operators:
+                then = None if task.refusal(thing, here, operator) else task.apply(here, operator)
+                led = None if then is None else (*states[:number], then, *states[number + 1 :])
+                yield PlanStep(operator.name, thing), led
+
+    def is_met(states: States) -> bool:
+        return not next(task.missed(dict(zip(names, states, strict=True))), "")
+
+    return breadth_first(
+        tuple(task.start.values()),
+        onward,
+        is_met,
+        lambda states: states,
+        time_limit=time_limit,
+        most_steps=MOST_SEQUENCES,
+        otherwise=f"breadth-first search found no plan of {DEPTH} operators or fewer",
+        depth=DEPTH,
+    )
 
 
 def predicted(domain: ValueDomain, predict: Predict) -> ValueDomain:

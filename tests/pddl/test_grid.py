@@ -7,10 +7,11 @@ import pytest
 from msgspec.structs import replace
 from tables import grounding, item, mode, table
 
+from neurosym.data.cells import Step
 from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.operators import Operator, OperatorTable, Primitive
 from neurosym.pddl import compile_domain
-from neurosym.pddl.grid import GoalRegion, goal_region, grid_of, rounding
+from neurosym.pddl.grid import GoalRegion, anchor, goal_region, grid_of, rounding
 from neurosym.problems import Problem
 from neurosym.tasks.options import PUT_DOWN, as_moves
 from neurosym.tasks.transition import PlanStep, validate
@@ -21,16 +22,16 @@ BLOCK = item("item-01", 0.4512, 0.0133)
 
 def test_grid_covers_the_table_and_starts_are_in_the_nearest_cell():
     grid = grid_of(grounding())
-    assert grid.last == (120, 120, 41)
-    assert grid.anchor(BLOCK.position) == (30, 63, 0)
-    assert grid_of(grounding(0.007)).anchor((0.9, 0.3, 0.02)) == (85, 85, 0)
-    names = grid.cell_names(0)
+    assert [cells.count for cells in grid] == [121, 121, 42]
+    assert anchor(grid, BLOCK.position) == (30, 63, 0)
+    assert anchor(grid_of(grounding(0.007)), (0.9, 0.3, 0.02)) == (85, 85, 0)
+    names = grid[0].names
     assert (names[0], names[-1], list(names)) == ("x000", "x120", sorted(names))
 
 
 @pytest.mark.parametrize(("cells", "margin"), [(7, 0), (-7, 0), (7, 2), (-7, 2), (130, 0)])
 def test_shifts_are_all_pairs_that_end_on_the_table(cells: int, margin: int):
-    pairs = grid_of(grounding()).shifts(0, cells, margin)
+    pairs = grid_of(grounding())[0].leads(Step(cells), margin)
     naive = [(a, a + cells) for a in range(121) if margin <= a + cells <= 120 - margin]
     assert list(pairs) == naive
 
@@ -87,8 +88,8 @@ def test_plan_into_the_region_ends_within_the_tolerance_whatever_is_rounded():
         region = goal_region(start, goal, 0.05, learned, steps=length)
         moves = {move.name: np.array(move.cells) for move in as_moves(learned.live, learned)}
         grid = grid_of(learned)
-        cells = np.array(grid.anchor(start.position)) + sum(moves[step.operator] for step in steps)
-        in_cells = np.array(start.position) + (cells - grid.anchor(start.position)) * grid.cell
+        cells = np.array(anchor(grid, start.position)) + sum(moves[step.operator] for step in steps)
+        in_cells = np.array(start.position) + (cells - anchor(grid, start.position)) * learned.cell
         assert np.all(np.abs(end - in_cells) <= most_rounded(steps, learned) + 1e-9)
         if region.zone.get(tuple(cells[:2]), 0) in region.zones_at(cells[2]) and len(region.zone) > 1:
             tried += 1
@@ -105,11 +106,11 @@ def test_every_cell_of_a_region_is_near_enough_even_if_every_step_rounds_the_wro
         goal = (*map(float, rng.uniform(0.4, 0.6, 2)), float(rng.choice([0.0, 0.2])) + 0.025)
         goal = (goal[0], goal[1], goal[2] + float(rng.uniform(0.0, 0.02)))
         region, grid = goal_region(BLOCK, goal, 0.05, learned, steps=steps), grid_of(learned)
-        anchor, error = np.array(grid.anchor(BLOCK.position)), np.array(rounding(BLOCK, learned))
+        begin, error = np.array(anchor(grid, BLOCK.position)), np.array(rounding(BLOCK, learned))
         for z in region.heights if len(region.zone) > 1 else ():
             errs, zones = error * [steps, steps, z > 0], region.zones_at(z)
             spots = np.array([(*xy, z) for xy, zone in region.zone.items() if zone in zones]).reshape(-1, 3)
-            off = np.abs(np.array(BLOCK.position) + (spots - anchor) * grid.cell - goal) + errs
+            off = np.abs(np.array(BLOCK.position) + (spots - begin) * learned.cell - goal) + errs
             assert np.all(np.linalg.norm(off, axis=1) <= 0.05 + 1e-9)
             cells += len(spots)
     assert cells > 1000

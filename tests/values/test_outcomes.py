@@ -5,8 +5,10 @@ from functools import partial
 import msgspec
 import numpy as np
 import pytest
+from msgspec.structs import replace
 
 from neurosym.data.axes import Axis
+from neurosym.data.cells import Cells, Step
 from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.operators import TABLE_FORMAT, Category, OperatorTable, Primitive
@@ -15,7 +17,7 @@ from neurosym.planners.planner import PlanStatus
 from neurosym.planners.registry import planner_named
 from neurosym.planners.unified_planning import validate_pddl
 from neurosym.tasks.transition import PlanStep
-from neurosym.values.domain import Cells, Outcome, Step, ValueDomain
+from neurosym.values.domain import Outcome, ValueDomain
 from neurosym.values.outcomes import Rows, compile_values, completed, name_of
 from neurosym.values.problem import FORMAT, Thing, ValueProblem, ValueTask, known_to
 from neurosym.values.value_execution import execute_values
@@ -113,6 +115,16 @@ def test_plans_are_valid_by_a_validator_that_is_not_ours(domain, planner):
     texts = value_page(domain).text(), value_problem(asked).text()
     assert validate_pddl(*texts, actions).valid
     assert not validate_pddl(*texts, actions[1:]).valid
+
+
+def test_axes_may_be_called_as_the_page_calls_its_own_words(domain):
+    names = ("dx", "x", "c")
+    axes = tuple(replace(axis, name=name) for axis, name in zip(domain.axes, names, strict=True))
+    called = replace(domain, axes=axes, features=names)
+    asked = task(called, (11.0, 4.0, 0.0), {"dx": 0.0, "x": 6.0})
+    steps = plan_values(asked, planner_named("fast-downward"), time_limit=60).steps
+    texts = value_page(called).text(), value_problem(asked).text()
+    assert validate_pddl(*texts, written(steps, asked)).valid
 
 
 def test_replay_says_what_is_wrong(domain):
