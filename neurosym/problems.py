@@ -2,16 +2,17 @@
 
 import math
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from itertools import permutations
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
 
 from neurosym.checks import Float, as_path, check_fields, check_kind
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
-from neurosym.files import read_json, write_json
+from neurosym.files import decode_json, read_json, write_json
 from neurosym.operators import TOLERANCE, Length, Share, Symbol, Vector
 from neurosym.world import Scene, Table
 
@@ -127,6 +128,8 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
     #: How surely operators are foreseen to keep their promises with a pair, by the same names of the pair,
     #: and then of the operator; where that is not said, as surely as with its kind
     foreseen: dict[str, dict[str, Share]] = {}
+    #: What shall hold, as people say it (see `neurosym.tasks.conditions`); goals and relations are chosen so
+    conditions: tuple[str, ...] = ()
     #: Names of the objects that touch, where somebody saw that; else it is told by geometry
     touching: tuple[tuple[str, str], ...] | None = None
 
@@ -225,9 +228,16 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
         write_json(as_path(path), self)
 
     @classmethod
-    def load(cls, path: Path) -> "Problem":
-        """Read a problem; `InvalidFile` if the file is no problem, or one that cannot be."""
-        problem = read_json(as_path(path), cls)
+    def load(cls, path: Path, change: Callable[[dict[str, Any]], dict[str, Any]] | None = None) -> "Problem":
+        """Read a problem; `InvalidFile` if the file is no problem, or one that cannot be.
+
+        What else people write in a file may be changed to what a problem has, before it is checked.
+        """
+        if change is None:
+            problem = read_json(as_path(path), cls)
+        else:
+            changed = change(read_json(as_path(path), dict[str, Any]))
+            problem = decode_json(as_path(path), msgspec.json.encode(changed), cls)
         touching, names = [pair_key(*pair) for pair in problem.touching or ()], problem.object_names
         known = {pair_key(*pair) for pair in permutations(names, 2)}
         for what, told in (("pairs", problem.pairs), ("foreseen", problem.foreseen), ("touching", touching)):
@@ -248,7 +258,7 @@ def goal_heights(problem: Problem, lift_height: float) -> tuple[float, float]:
 
 def check_goals(problem: Problem, table: Table, z_range: tuple[float, float]) -> None:
     """Raise `InvalidValue` unless there are goals, and each on the table and at a possible height [m]."""
-    if not (problem.goals or problem.relations):
+    if not (problem.goals or problem.relations or problem.conditions):
         raise InvalidValue(f"The problem {problem.name} has no goal; give at least one object a goal.")
     bounds = {"x": table.x, "y": table.y, "z": z_range}
     for name, goal in problem.goals.items():

@@ -48,8 +48,8 @@ def new_problem(
         UseAppendAction,
         arg(
             metavar="ITEM=X,Y[,Z]",
-            help="A goal by hand, in the world frame [m], once for each object. With data of your own "
-            "THING.AXIS=VALUE, or LOW..HIGH.",
+            help="A goal by hand, in the world frame [m], once for each object; or a condition in words, as "
+            'in "all 10 y=0..". With data of your own THING.AXIS=VALUE, or LOW..HIGH.',
         ),
     ] = (),
     relation: Annotated[
@@ -71,12 +71,20 @@ def new_problem(
             metavar="FILE", help="A whole problem by hand, in a file like those in DIR/problems/*.scene.json."
         ),
     ] = None,
+    like: Annotated[
+        Optional[Path],
+        arg(metavar="FILE", help="Another scene: objects shall stand as those of the same names there."),
+    ] = None,
     tolerance: Annotated[
         Optional[float],
         arg(metavar="METRES", help="How near objects must come to their goals: 0.05, or as the scene says."),
     ] = None,
 ) -> int:
     """Make a problem: a random scene, and a goal that actions lead to, or yours.
+
+    A goal is a point, or a condition in words: `item-01 x=0.3..0.6`, `2 of 10 within-reach`,
+    `item-01 next-to item-02` (also apart-from, on, under, not-on), with `and` and `or` between. What it
+    leaves open is chosen. With `--like FILE` objects shall stand as those of the same names in another scene.
 
     With `--task` it is what people ask for: `anywhere` puts each object anywhere on the table, `swap` has
     each stand where the next one stood, `row` sets them in a row, and `crowded` clears a crowd. With
@@ -90,7 +98,7 @@ def new_problem(
     from neurosym.stages.problem_making import Asked, problem_stage, scene_stage
     from neurosym.stages.value_stages import goals_in_words, is_of_values, value_problem_stage
 
-    domain, by_hand = opened(folder), bool(goal or relation)
+    domain, by_hand = opened(folder), bool(goal or relation or like)
     if scene and (by_hand or task or (objects, actions, seed) != (1, 1, 0)):
         raise InvalidValue(
             "Give --scene, or --objects, --actions, --seed, --task, --goal and --relation, not both."
@@ -102,12 +110,14 @@ def new_problem(
     check_names((name,) if name is not None else ())
     of_values = is_of_values(domain)
     if of_values:
-        refuse_options(task=task, relation=relation, tolerance=tolerance)
+        refuse_options(task=task, relation=relation, tolerance=tolerance, like=like)
+    points, conditions = (None, ()) if of_values else _parse_goals((*goal, *_like(like)), relation)
     asked = Asked(
         objects=objects,
         actions=actions,
         seed=seed,
-        goals=_parse_goals(goal) if goal and not of_values else None,
+        goals=points,
+        conditions=conditions,
         tolerance=tolerance,
         task=task,
         relations=tuple(map(_parse_relation, relation)),
@@ -164,9 +174,11 @@ def _goals_in_words(domain: DomainFolder, name: str) -> Iterator[str]:
     problem = Problem.load(domain / scene_file(name))
     if is_reached(problem, Grounding.load(domain / GROUNDING)):
         yield f"note: it is met at the start, within {1000 * problem.tolerance:g} mm"
+    for text in problem.conditions:
+        yield f"  asked: {text}"
     for target, other, state in problem.relations:
         yield f"  goal: {target} {state} {other}"
-    for target, (x, y, *_) in problem.goals.items() if problem.relations else ():
+    for target, (x, y, *_) in problem.goals.items() if problem.relations or problem.conditions else ():
         yield f"  goal: {target} at ({x:.3f}, {y:.3f})"
 
 
@@ -181,10 +193,20 @@ def _name_of(scene: Path, domain: DomainFolder) -> str:
     return name
 
 
-def _parse_goals(texts: tuple[str, ...]) -> dict[str, tuple[float, ...]]:
-    goals = dict[str, tuple[float, ...]]()
+def _parse_goals(
+    texts: tuple[str, ...], relations: tuple[str, ...]
+) -> tuple[dict[str, tuple[float, ...]] | None, tuple[str, ...]]:
+    """Return the goals that are points, and the others, which are conditions.
+
+    A point is one, too, if its object shall be in a relation.
+    """
+    goals, conditions = dict[str, tuple[float, ...]](), list[str]()
+    related = {text.split()[0] for text in relations if text.split()}
     for text in texts:
         name, _, numbers = text.partition("=")
+        if " " in text.strip():
+            conditions.append(" ".join(text.split()))
+            continue
         if name in goals:
             raise InvalidValue(f"An object has two goals in {' '.join(texts)}; give each object one.")
         try:
@@ -192,7 +214,18 @@ def _parse_goals(texts: tuple[str, ...]) -> dict[str, tuple[float, ...]]:
         except ValueError as error:
             said = f"The goal {text!r} cannot be read; write it as item-01=0.60,0.10."
             raise InvalidValue(said) from error
-    return goals
+        if name in related:
+            conditions.append(f"{name} at {','.join(map(str, goals.pop(name)))}")
+    return goals or None, tuple(conditions)
+
+
+def _like(scene: Path | None) -> Iterator[str]:
+    """Ask for objects to stand as in another scene."""
+    from neurosym.problems import Problem
+
+    if scene is not None:
+        for item in Problem.load(scene).objects:
+            yield f"{item.name}={','.join(f'{value:g}' for value in item.position)}"
 
 
 def _parse_relation(text: str) -> tuple[str, str, str]:

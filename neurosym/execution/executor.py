@@ -30,6 +30,7 @@ from neurosym.grounding import Grounding, is_lift
 from neurosym.planners.planner import Effort, Tell
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
+from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, check_aims, named_steps, primitives, promise_of, validate
 from neurosym.world import FrameSink, OtherObject, Outcome, Reference, Scene, World
@@ -169,7 +170,7 @@ class _Running:
             self.ended, self.left = "no progress", []
             return
         self._put_down()
-        seen = self.here.now()
+        seen = self._asked_now()
         if is_drawn:
             believed, known = self.experience.believed(msgspec.structs.replace(seen, places={}))
             seen = msgspec.structs.replace(seen, places=understand(believed, known).places)
@@ -222,7 +223,7 @@ class _Running:
             own=own_steps(self.records, self.replannings),
             **judged,
         )
-        reason = why_missed(run, self.here.problem, self.here.grounding, self.effort.work)
+        reason = why_missed(run, self.here.now(), self.here.grounding, self.effort.work)
         return msgspec.structs.replace(run, reason=reason)
 
     def _put_down(self) -> None:
@@ -237,6 +238,14 @@ class _Running:
         self.experience.learn(step, outcome)
         if outcome.lost:
             self.ended = "lost"
+
+    def _asked_now(self) -> Problem:
+        """Return the problem from here, with goals chosen anew where conditions leave a choice."""
+        seen = self.here.now()
+        try:
+            return with_goals(seen, self.here.grounding)
+        except InvalidValue:  # nothing meets them from here
+            return seen
 
     def _aim(self, step: PlanStep) -> Reference | None:
         """Return where to aim, such that an object stands at its place by what is believed of it now."""

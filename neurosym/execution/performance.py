@@ -15,7 +15,7 @@ from neurosym.operators import vector
 from neurosym.pair_operators import extent
 from neurosym.problems import Problem, RelationGoal
 from neurosym.tasks.supports import Contacts, touching
-from neurosym.tasks.task import GOAL, PARK, unmet_relations, with_places
+from neurosym.tasks.task import GOAL, PARK, is_reached, unmet_relations, with_places
 from neurosym.tasks.transition import PlanStep, check_aims
 from neurosym.world import FrameSink, Outcome, Place, Reference, Scene, Table, World, relative_to
 
@@ -145,7 +145,7 @@ class Situation:
     def judge(self) -> dict[str, Any]:
         """Say how near the goals are, as the record of a run does."""
         unmet, positions = self.unmet(), self.scene.positions
-        reached = self.problem.is_met(positions) and not unmet
+        reached = is_reached(self.now(), self.grounding)
         told = unmet if self.problem.relations else msgspec.UNSET
         return {"reached": reached, "distances": self.problem.distances(positions), "unmet": told}
 

@@ -15,6 +15,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Length, Vector, vector
 from neurosym.pair_operators import PairState, describe_pair, extent, rotation
 from neurosym.problems import Problem, RelationGoal, SceneObject
+from neurosym.tasks.conditions import unmet_conditions
 from neurosym.tasks.options import put_named
 from neurosym.tasks.promises import promised
 from neurosym.tasks.supports import Contacts, bearers_of, with_contacts
@@ -340,6 +341,9 @@ def why_missed(run: Run, problem: Problem, grounding: Grounding, work: int = 0) 
     """
     if run.reached:
         return ""
+    if problem.conditions:
+        false = " and ".join(map(repr, unmet_conditions(problem, grounding)))
+        return f"{false} does not hold; {_what_ended(run, work)}"
     unmet = run.unmet if isinstance(run.unmet, tuple) else ()
     missed = [", ".join(_missed(goal, run.steps, grounding) for goal in unmet)] if unmet else []
     name, distance = max(run.distances.items(), key=lambda item: item[1], default=("", 0.0))

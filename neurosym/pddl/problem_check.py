@@ -24,6 +24,7 @@ from neurosym.problems import (
     check_on_table,
     goal_heights,
 )
+from neurosym.tasks.conditions import options_of
 from neurosym.tasks.supports import chain_below, known_bearers
 from neurosym.tasks.task import GOAL, PARK, START, footprints_apart, is_at, why_no_relation
 
@@ -61,6 +62,8 @@ def check_problem(problem: Problem, grounding: Grounding | None, limits: ObjectL
     if grounding:
         check_places(problem, grounding)
         check_relations(problem, grounding)
+        for text in problem.conditions:
+            options_of(text, problem, grounding)
         heights = goal_heights(problem, grounding.lift_height) if limits else (-math.inf, math.inf)
         check_goals(problem, grounding.table, heights)
 

@@ -21,6 +21,7 @@ from neurosym.stages.compilation import print_beside, print_problem
 from neurosym.stages.folder import DomainFolder, Stage, load_scene
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, printed_file, scene_file, steps_file
 from neurosym.stages.plan_records import write_plan
+from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.promises import is_rehearsed
 from neurosym.tasks.task import is_relational, understand
 from neurosym.world import World
@@ -99,6 +100,8 @@ def load_problem(folder: DomainFolder, name: str, world: World | None = None) ->
         raise StageMissing(scene, f"neurosym new-problem {quoted(folder.path)} --name {folder.problem(name)}")
     problem = load_scene(scene)
     check_scene(folder, problem, scene, world)
+    if problem.conditions and not (problem.goals or problem.relations):  # somebody put it there
+        return with_goals(problem, Grounding.load(folder.require(GROUNDING)))
     return problem
 
 

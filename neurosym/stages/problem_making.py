@@ -1,6 +1,7 @@
 """The stages that make a problem: drawn from the world, with goals given by hand, or a scene taken over."""
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from itertools import permutations
 from pathlib import Path
@@ -21,6 +22,8 @@ from neurosym.stages import layout
 from neurosym.stages.compilation import put_problem
 from neurosym.stages.folder import DomainFolder, Stage
 from neurosym.stages.planning import check_scene, remarks_on_number, tell_remarks
+from neurosym.tasks.conditions import as_conditions, conditions_in
+from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.options import puts_for
 from neurosym.tasks.supports import PairSight, with_pairs
 from neurosym.world import World
@@ -157,6 +160,7 @@ class Asked:
         relations: Goals by relation.
         height: How many objects a tower or a stack has.
         state: The state that a drawn task of relations asks for; any, if not given.
+        conditions: What shall hold, in words; goals and relations by hand are such, too, then.
     """
 
     objects: int = 1
@@ -168,6 +172,7 @@ class Asked:
     relations: tuple[RelationGoal, ...] = ()
     height: int = HEIGHT
     state: str = ""
+    conditions: tuple[str, ...] = ()
 
     def options(self) -> dict[str, Any]:
         """Return it as a manifest keeps it; what is as usual was not always there, and is left out."""
@@ -214,12 +219,16 @@ def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -
     if asked.task is not None:
         named |= {"height": asked.height, "state": asked.state, "sight": sight}
         problem = draw_any_task(world, categorise, grounding, asked.task, **named)
-    elif asked.goals is None and not asked.relations:
+    elif asked.goals is None and not (asked.relations or asked.conditions):
         problem = draw_problem(world, categorise, actions=asked.actions, **named)
+    elif asked.conditions:
+        conditions = (*asked.conditions, *as_conditions(asked.goals or {}, asked.relations))
+        problem = set_problem(world, categorise, {}, conditions=conditions, **named)
     else:
         meant = relations_meant(asked.relations, grounding)
         problem = set_problem(world, categorise, asked.goals or {}, relations=meant, **named)
     problem = with_pairs(problem.within(asked.tolerance), grounding.relations, sight)
+    problem = with_goals(problem, grounding)
     check_relations(problem, grounding)
     return problem
 
@@ -236,14 +245,15 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
 
     def work() -> None:
         grounding = Grounding.load(folder.require(layout.GROUNDING))
-        problem = msgspec.structs.replace(Problem.load(file), name=name).within(tolerance)
+        problem = msgspec.structs.replace(_scene_in(file, grounding), name=name).within(tolerance)
         problem = with_pairs(problem, grounding.relations, sight_of_pairs(folder))
-        check_scene(folder, problem, file)
         try:
             for item in problem.objects:  # only what a run saw may be a little off
                 check_on_table(item, grounding.table)
-        except InvalidValue as error:
+            problem = with_goals(problem, grounding)
+        except (InvalidValue, UnknownChoice) as error:
             raise InvalidFile(file, str(error).rstrip(".")) from error
+        check_scene(folder, problem, file)
         tell_remarks(folder, problem, grounding)
         put_problem(folder, problem, grounding)
 
@@ -251,3 +261,39 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
     outputs = (*layout.problem_files(name), layout.scene_file(name))
     inputs = (layout.WORLD, layout.GROUNDING, *_networks_of_pairs(folder))
     return Stage(f"new-problem {name}", inputs, outputs, work, options)
+
+
+def _scene_in(file: Path, grounding: Grounding) -> Problem:
+    """Read a scene whose goals may be conditions, or written as people write them; see `conditions_in`."""
+
+    def changed(raw: dict[str, Any]) -> dict[str, Any]:
+        try:
+            points, said = conditions_in(raw.get("goals") or {})
+        except InvalidValue as error:
+            raise InvalidFile(file, str(error).rstrip(".")) from error
+        relations = [one for one in raw.get("relations") or () if isinstance(one, list) and len(one) == 3]
+        is_plain = not any(
+            target in points or _bears_nothing(state, grounding) for target, _, state in relations
+        )
+        if not said and (is_plain or raw.get("conditions")):
+            return raw
+        told = [*said, *as_conditions(points, relations), *(raw.get("conditions") or ())]
+        return raw | {"goals": {}, "relations": [], "conditions": told}
+
+    problem = Problem.load(file, changed)
+    if not problem.conditions or not (problem.goals or problem.relations):
+        return problem
+    bare = msgspec.structs.replace(problem, goals={}, relations=())
+    with suppress(InvalidValue, UnknownChoice):  # goals that were chosen for the conditions are chosen again
+        if with_goals(bare, grounding) == problem:
+            return bare
+    told = (*problem.conditions, *as_conditions(problem.goals, problem.relations))
+    return msgspec.structs.replace(bare, conditions=told)
+
+
+def _bears_nothing(state: object, grounding: Grounding) -> bool:
+    """Say whether a state is known in which nothing is borne."""
+    with suppress(UnknownChoice, InvalidValue):
+        if grounding.relations:
+            return not grounding.relations.state_meant(str(state)).bears
+    return False

@@ -20,6 +20,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Operator, Symbol
 from neurosym.pair_operators import Case, PairState, RelationOperators, case_of, extent
 from neurosym.problems import ROUNDED, Problem, RelationGoal, pair_key
+from neurosym.tasks.conditions import unmet_conditions
 from neurosym.tasks.options import Move, Put, as_moves, carriers_for, moves_for, puts_for, puts_of, step_cost
 from neurosym.tasks.promises import usable
 from neurosym.tasks.supports import Borne, Seen, bearers_of, kinds_of, loads_of, seen_states
@@ -460,7 +461,9 @@ def why_too_many(problem: Problem, grounding: Grounding) -> str:
 
 
 def is_reached(problem: Problem, grounding: Grounding) -> bool:
-    """Say whether all goals are met as the objects stand now."""
+    """Say whether all goals are met as the objects stand now; or all conditions, if these are asked for."""
+    if problem.conditions:
+        return not any(unmet_conditions(problem, grounding))
     return problem.is_met(problem.scene().positions) and not unmet_relations(problem, grounding)
 
 

@@ -88,6 +88,7 @@ def set_problem(
     seed: int,
     tolerance: float = TOLERANCE,
     relations: tuple[RelationGoal, ...] = (),
+    conditions: tuple[str, ...] = (),
 ) -> Problem:
     """Draw a scene and set goals in it by hand.
 
@@ -101,6 +102,7 @@ def set_problem(
         seed: Same seed, same scene.
         tolerance: How near each object must come to its goal [m].
         relations: Which object shall stand to which other one in which state.
+        conditions: What shall hold, in words, in place of goals.
 
     Raises:
         InvalidValue: If the objects do not fit, or a goal names none of them or lies out of reach.
@@ -117,6 +119,7 @@ def set_problem(
         tolerance=tolerance,
         provenance=f"scene drawn with seed {seed}, goals by hand",
         relations=relations,
+        conditions=conditions,
     )
     check_goals(problem, world.table, goal_heights(problem, world.lift_height))
     return problem

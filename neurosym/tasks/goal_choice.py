@@ -1,0 +1,271 @@
+"""Goals that meet conditions: which objects, where to, and onto what, chosen for the scene at hand.
+
+Conditions leave choices open: which two of five, which end of the table, which side of a box. Each choice
+becomes points and relations, which planners, the page of PDDL and execution know. Of the options the one is
+taken that moves the fewest objects, and these the least. A goal lies so far inside of its bounds that what
+comes within the tolerance of it meets the condition; where there is less room, the tolerance is smaller.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import islice, product
+
+import msgspec
+import numpy as np
+
+from neurosym.checks import Bool, Float
+from neurosym.errors import InvalidValue
+from neurosym.grounding import Grounding
+from neurosym.problems import Problem
+from neurosym.tasks import conditions
+from neurosym.tasks.conditions import Clause, options_of
+from neurosym.tasks.task import LEAST_GAP, drawn_spots, understand
+
+MOST_OPTIONS = 64
+"""So many ways to meet all conditions are looked at, at most."""
+LEAST_TOLERANCE = 0.01
+"""Where bounds leave little room, goals are to be met within this all the same [m]."""
+_ROOM = 0.4  # how far inside of bounds a goal lies, as a share of their width, if not by the tolerance
+_RING = 8  # spots along each side of an object, where another one may stand next to it
+
+
+@dataclass
+class _Need:
+    """What one object shall come to."""
+
+    bounds: dict[str, tuple[float, float]] = field(default_factory=dict)
+    beside: list[Clause] = field(default_factory=list)  # that name what it is next to, or apart from
+    off: set[str] = field(default_factory=set)  # what must not bear it
+
+    def within(self, bounds: conditions.Bounds) -> None:
+        """Ask for bounds, too; `InvalidValue` if there is no room in both."""
+        for axis, (low, high) in bounds.items():
+            before = self.bounds.get(axis, (-math.inf, math.inf))
+            low, high = max(low, before[0]), min(high, before[1])
+            if low > high:
+                raise InvalidValue(f"Its {axis} shall be at least {low:g} and at most {high:g}")
+            self.bounds[axis] = low, high
+
+
+def with_goals(problem: Problem, grounding: Grounding) -> Problem:
+    """Return a problem with goals that meet its conditions; one without conditions stays as it is.
+
+    Raises:
+        InvalidValue: If a condition cannot be read, or nothing is found that meets all of them.
+        UnknownChoice: If one names what there is not.
+    """
+    if not problem.conditions:
+        return problem
+    bare = msgspec.structs.replace(problem, goals={}, relations=())
+    every = [options_of(text, bare, grounding) for text in problem.conditions]
+    sight, found, said = (
+        conditions.Sight(bare, grounding),
+        list[tuple[int, float, int, Problem]](),
+        list[str](),
+    )
+    for number, chosen in enumerate(islice(product(*every), MOST_OPTIONS)):
+        try:
+            goals = _Choice(sight, grounding, [clause for option in chosen for clause in option]).problem()
+        except InvalidValue as error:
+            said.append(str(error))
+            continue
+        found.append((*_effort(goals, sight), number, goals))
+    if not found:
+        raise InvalidValue(said[0])
+    return min(found, key=lambda one: one[:3])[-1]
+
+
+def _effort(problem: Problem, sight: conditions.Sight) -> tuple[int, float]:
+    """Return how many objects are to be moved, and how far in sum."""
+    far = [math.dist(problem.goals[name], sight.places[name]) for name in problem.unmet]
+    unrelated = [
+        one for one in problem.relations if not sight.holds(Clause((one[0],), 1, word="on", other=one[1]))
+    ]
+    return len(far) + len(unrelated), math.fsum(far)
+
+
+class _Choice:
+    """One way to meet clauses: an option of each condition."""
+
+    def __init__(self, sight: conditions.Sight, grounding: Grounding, clauses: Sequence[Clause]):
+        self._sight, self._grounding, self._problem = sight, grounding, sight.problem
+        self._needs, self._over = dict[str, _Need](), dict[str, tuple[str, str]]()
+        self._tolerance = self._problem.tolerance
+        fewest_first = sorted(clauses, key=lambda clause: len(clause.names) - clause.count)
+        for clause in fewest_first:
+            for name in self._chosen(clause):
+                self._ask(name, clause)
+        for name in [name for name in self._needs if name in self._over]:
+            self._hand_down(name)
+
+    def problem(self) -> Problem:
+        """Return the problem with goals."""
+        relations = tuple((name, other, state) for name, (other, state) in self._over.items())
+        goals = {name: self._goal(name, spot) for name, spot in self._spots().items()}
+        tolerance = round(max(min(self._tolerance, self._problem.tolerance), LEAST_TOLERANCE), 4)
+        return msgspec.structs.replace(self._problem, goals=goals, relations=relations, tolerance=tolerance)
+
+    def _chosen(self, clause: Clause) -> list[str]:
+        """Name the objects that it shall hold of: those of which it does, and then the nearest."""
+
+        def far(name: str) -> tuple[bool, bool, float, str]:
+            spot = self._sight.places[name]
+            off = [
+                max(low - spot["xyz".index(axis)], spot["xyz".index(axis)] - high, 0.0)
+                for axis, (low, high) in clause.bounds.items()
+            ]
+            away = self._sight.gap(name, clause.other) if clause.other else math.hypot(*off)
+            is_busy = name in self._over or name in self._needs
+            return not self._sight.holds_of(name, clause), is_busy, away, name
+
+        return sorted(clause.names, key=far)[: clause.count]
+
+    def _ask(self, name: str, clause: Clause) -> None:
+        if clause.word == "under":
+            self._put(clause.other, name, "on")
+            return
+        if clause.word and clause.word not in (*conditions.OVER, "next-to", "apart-from"):
+            self._put(name, clause.other, clause.word)
+            return
+        if clause.word == "on":
+            self._put(name, clause.other, "on")
+            return
+        need = self._needs.setdefault(name, _Need())
+        if clause.word == "not-on":
+            need.off.add(clause.other)
+        elif clause.word:
+            need.beside.append(clause)
+        else:
+            try:
+                need.within(clause.bounds)
+            except InvalidValue as error:
+                raise InvalidValue(f"What is asked of {name} contradicts itself: {error}.") from error
+
+    def _put(self, name: str, other: str, word: str) -> None:
+        """Ask for an object to be on another one, in the state that is surest if any will do."""
+        state, before = self._state(name, other, word), self._over.get(name)
+        if before and before != (other, state):
+            raise InvalidValue(f"{name} shall be on {before[0]} and on {other}; ask for one of these.")
+        self._over[name] = other, state
+
+    def _state(self, name: str, other: str, word: str) -> str:
+        if word != "on":
+            return word
+        if self._sight.holds(Clause((name,), 1, word="on", other=other)):
+            return self._sight.supports[name].state.name
+        puts = understand(self._problem, self._grounding).puts[name, other]
+        if not puts:
+            raise InvalidValue(f"Nothing that was learned puts {name} on or into {other}.")
+        return max(puts, key=lambda put: (put.chance, put.name)).state.name
+
+    def _hand_down(self, name: str) -> None:
+        """Ask of what stands on the table below an object for what was asked of that."""
+        need, chain = self._needs.pop(name), [name]
+        while (over := self._over.get(chain[-1])) and over[0] not in chain:
+            chain.append(over[0])
+        if wrong := need.off & {*chain}:
+            raise InvalidValue(f"{name} shall be on {min(wrong)}, and not on it; ask for one of these.")
+        below = self._needs.setdefault(chain[-1], _Need())
+        below.within({axis: ends for axis, ends in need.bounds.items() if axis != "z"})
+        below.beside += need.beside
+
+    # Where things shall stand
+
+    def _spots(self) -> dict[str, Float[np.ndarray, "2"]]:
+        """Choose where each object shall stand of which something is asked, first of those that may stay."""
+        found, left = dict[str, Float[np.ndarray, "2"]](), dict(self._needs)
+        while left:
+            waits = [name for name in left if not any(one.other in left for one in left[name].beside)]
+            name = min(waits or left, key=lambda one: (not self._may_stay(one), one))
+            others = {
+                other: found.get(other, self._sight.places[other][:2])
+                for other in self._problem.object_names
+                if other != name and (other in found or (other not in left and other not in self._raised))
+            }
+            found[name] = self._spot(name, left.pop(name), others)
+        return found
+
+    @property
+    def _raised(self) -> set[str]:
+        """What is, or shall be, on another object, so that it needs no room on the table."""
+        return {*self._over, *self._sight.supports}
+
+    def _may_stay(self, name: str) -> bool:
+        """Say whether all that is asked of an object holds already."""
+        need = self._needs[name]
+        clauses = [*need.beside, *(Clause((name,), 1, word="not-on", other=other) for other in need.off)]
+        clauses += [Clause((name,), 1, need.bounds)] if need.bounds else []
+        moves = any(one.other in self._needs and not self._may_stay(one.other) for one in need.beside)
+        return not moves and all(self._sight.holds_of(name, one) for one in clauses)
+
+    def _spot(
+        self, name: str, need: _Need, others: dict[str, Float[np.ndarray, "2"]]
+    ) -> Float[np.ndarray, "2"]:
+        """Return the nearest spot that will do, where others stand elsewhere."""
+        here, size = self._sight.places[name][:2], self._sight.sizes[name][:2]
+        low, high = self._inside(need)
+        if self._may_stay(name):
+            return here
+        free = drawn_spots(size, self._grounding.table)
+        spots = np.array([np.clip(here, low, high), *self._beside(name, need, others), *free])
+        inside = np.all((spots >= low - 1e-9) & (spots <= high + 1e-9), axis=1)
+        asked = {other: spot for other, spot in others.items() if other in self._needs}
+        near = {one.other: others[one.other] for one in need.beside if one.other in others}
+        for kept in (others, asked | near):  # what nothing is asked of may be moved out of the way
+            if (good := inside & self._has_room(name, need, spots, kept)).any():
+                return np.asarray(spots[good][np.linalg.norm(spots[good] - here, axis=1).argmin()])
+        raise InvalidValue(f"There is no room on the table for all that is asked of {name}.")
+
+    def _has_room(
+        self,
+        name: str,
+        need: _Need,
+        spots: Float[np.ndarray, "N 2"],
+        others: dict[str, Float[np.ndarray, "2"]],
+    ) -> Bool[np.ndarray, " N"]:
+        """Say at which spots an object stands in no other, and as far from these as is asked for."""
+        good, size = np.ones(len(spots), dtype=bool), self._sight.sizes[name][:2]
+        for other, spot in others.items():
+            gaps = np.abs(spots - spot) - (size + self._sight.sizes[other][:2]) / 2
+            apart = np.where(gaps.max(1) > 0, np.hypot(*np.maximum(gaps, 0.0).T), gaps.max(1))
+            good &= apart >= LEAST_GAP
+            for clause in (one for one in need.beside if one.other == other):
+                if clause.word == "apart-from":
+                    good &= apart >= conditions.APART + self._tolerance
+                else:
+                    self._tolerance = min(self._tolerance, conditions.NEXT / 2 - LEAST_GAP / 2)
+                    good &= apart <= conditions.NEXT - self._tolerance + 1e-6
+        return good
+
+    def _inside(self, need: _Need) -> Float[np.ndarray, "2 2"]:
+        """Return the least and greatest x and y of a goal, well inside of the table and what is asked for."""
+        found = []
+        for axis, edges in zip("xy", (self._grounding.table.x, self._grounding.table.y), strict=True):
+            low, high = need.bounds.get(axis, edges)
+            low, high = max(low, edges[0]), min(high, edges[1])
+            if axis in need.bounds and low < high:
+                room = min(self._tolerance, _ROOM * (high - low))
+                self._tolerance = room
+                low, high = low + room, high - room
+            found.append((low, high))
+        return np.array(found).T
+
+    def _beside(
+        self, name: str, need: _Need, others: dict[str, Float[np.ndarray, "2"]]
+    ) -> Iterator[Float[np.ndarray, "2"]]:
+        """List spots along the sides of what an object shall be next to."""
+        for clause in need.beside:
+            spot = others.get(clause.other, self._sight.places[clause.other][:2])
+            reach = (self._sight.sizes[name] + self._sight.sizes[clause.other])[:2] / 2
+            for axis, side, along in product((0, 1), (-1, 1), np.linspace(-1, 1, _RING)):
+                away = np.array([along, along]) * reach
+                away[axis] = side * (reach[axis] + conditions.NEXT / 2 + LEAST_GAP / 4)
+                yield spot + away
+
+    def _goal(self, name: str, spot: Float[np.ndarray, "2"]) -> tuple[float, float, float]:
+        """Return a spot as a goal, as high as its object rests there or as is asked for."""
+        rests = float(self._sight.sizes[name][2]) / 2
+        low, high = self._needs[name].bounds.get("z", (rests, rests))
+        x, y = (round(float(value), 4) for value in spot)
+        return (x, y, round(min(max(rests, low), high), 4))
