@@ -78,6 +78,7 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True, ren
     places: OperatorTable | None = None  #: What carries objects to places, if that was learned
     #: What puts objects in relations to one another, if that was learned
     relations: RelationOperators | None = None
+    turned: bool = False  #: Whether motions are performed turned as objects lie; see `neurosym.world.heading`
     readable = FORMATS
 
     def __post_init__(self) -> None:

@@ -84,6 +84,36 @@ class OtherObject:
             raise InvalidValue(f"OtherObject.index = {self.index!r} must be the number of an object.")
 
 
+STRAIGHT = math.radians(1)
+"""An object that is turned by less than this about the vertical, beyond quarters, lies straight [rad]."""
+
+
+def heading(orientation: Float[np.ndarray, "4"]) -> float:
+    """Return how far an object is turned about the vertical beyond quarters, from -pi/4 to pi/4 [rad].
+
+    Its orientation is a quaternion (x, y, z, w). A motion is performed turned by as much, so that what was
+    learned of objects that lie straight holds for one at any angle.
+    """
+    x, y, z, w = np.asarray(orientation, dtype=float) / np.linalg.norm(orientation)
+    axes = np.array([
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+    ])  # fmt: skip  # x and y of the object's axes in the world
+    level = axes[:, np.hypot(*axes).argmax()]
+    angle = math.atan2(level[1], level[0])
+    turned = (angle + math.pi / 4) % (math.pi / 2) - math.pi / 4
+    return turned if abs(turned) >= STRAIGHT else 0.0
+
+
+def turned_by(angle: float, offsets: Float[np.ndarray, "*n K"]) -> Float[np.ndarray, "*n K"]:
+    """Return offsets [m] turned about the vertical by an angle [rad]; their first two numbers are x and y."""
+    if angle == 0.0:
+        return offsets
+    x, y, *rest = np.moveaxis(offsets, -1, 0)
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return np.stack([cosine * x - sine * y, sine * x + cosine * y, *rest], axis=-1)
+
+
 Reference = Place | OtherObject  # what an action may be relative to besides its target
 ReferenceKind = Literal["place", "object"]
 
@@ -364,6 +394,11 @@ class Pictured(Protocol):
 def references_of(world: World) -> tuple[ReferenceKind, ...]:
     """Return what actions of a world may be relative to; nothing if it does not say."""
     return tuple(getattr(world, "references", ()))
+
+
+def turns(world: World) -> bool:
+    """Say whether a world performs motions turned as objects lie (see `heading`); not if it does not say."""
+    return bool(getattr(world, "turns", False))
 
 
 def relative_to(world: World, reference: Reference | None) -> dict[str, Any]:

@@ -71,6 +71,7 @@ def new_problem(
             metavar="FILE", help="A whole problem by hand, in a file like those in DIR/problems/*.scene.json."
         ),
     ] = None,
+    turned: Annotated[bool, arg(help="Draw objects that lie turned by any angle.")] = False,
     like: Annotated[
         Optional[Path],
         arg(metavar="FILE", help="Another scene: objects shall stand as those of the same names there."),
@@ -99,7 +100,7 @@ def new_problem(
     from neurosym.stages.value_stages import goals_in_words, is_of_values, value_problem_stage
 
     domain, by_hand = opened(folder), bool(goal or relation or like)
-    if scene and (by_hand or task or (objects, actions, seed) != (1, 1, 0)):
+    if scene and (by_hand or task or turned or (objects, actions, seed) != (1, 1, 0)):
         raise InvalidValue(
             "Give --scene, or --objects, --actions, --seed, --task, --goal and --relation, not both."
         )
@@ -110,7 +111,7 @@ def new_problem(
     check_names((name,) if name is not None else ())
     of_values = is_of_values(domain)
     if of_values:
-        refuse_options(task=task, relation=relation, tolerance=tolerance, like=like)
+        refuse_options(task=task, relation=relation, tolerance=tolerance, like=like, turned=turned)
     points, conditions = (None, ()) if of_values else _parse_goals((*goal, *_like(like)), relation)
     asked = Asked(
         objects=objects,
@@ -118,6 +119,7 @@ def new_problem(
         seed=seed,
         goals=points,
         conditions=conditions,
+        turned=turned,
         tolerance=tolerance,
         task=task,
         relations=tuple(map(_parse_relation, relation)),

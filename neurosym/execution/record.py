@@ -20,7 +20,17 @@ from neurosym.tasks.options import put_named
 from neurosym.tasks.promises import promised
 from neurosym.tasks.supports import Contacts, bearers_of, with_contacts
 from neurosym.tasks.transition import PlanStep, Steps, primitives
-from neurosym.world import Disturbance, OtherObject, Outcome, OutcomeKind, Place, Reference, Scene
+from neurosym.world import (
+    Disturbance,
+    OtherObject,
+    Outcome,
+    OutcomeKind,
+    Place,
+    Reference,
+    Scene,
+    heading,
+    turned_by,
+)
 
 # Appearance: what an object shows to the robot once it was turned, and which category that is.
 #
@@ -36,7 +46,10 @@ def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:
 
     Its first three features are these sizes [m]. Where no rehearsals are kept, the category stays.
     """
-    along = np.abs(rotation(np.array(item.orientation)))
+    lying = rotation(np.array(item.orientation))
+    if grounding.turned:
+        lying = turned_by(-heading(np.array(item.orientation)), lying.T).T
+    along = np.abs(lying)
     straight = along > math.cos(STRAIGHT)
     turned = straight.astype(float) if straight.sum() == 3 else along
     if np.array_equal(turned, np.eye(3)):

@@ -9,9 +9,11 @@ from dataclasses import dataclass, field
 import msgspec
 import numpy as np
 
+from neurosym.checks import Float
 from neurosym.execution.record import STRAIGHT, as_it_shows, ended_in
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, Symbol, Vector, vector
+from neurosym.pair_operators import rotation
 from neurosym.planners.planner import UNTOLD, Effort, PlanStatus
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem, SceneObject, pair_key
@@ -19,7 +21,7 @@ from neurosym.tasks.options import PUT_DOWN, put_named
 from neurosym.tasks.promises import LEAST_CHANCE, promised
 from neurosym.tasks.task import is_reached, is_relational, understand
 from neurosym.tasks.transition import PlanStep, Replay, primitives, validate
-from neurosym.world import Outcome
+from neurosym.world import Outcome, OutcomeKind, heading, turned_by
 
 # Experience: what each object of a scene was seen to do during a run, so that the next plan reckons with
 # it.
@@ -50,13 +52,24 @@ _OF, _TO = "-of-", "to-"
 _Key = tuple[str, str]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Seen:
+    """What became of an object in a step."""
+
+    kind: OutcomeKind
+    effect: Float[np.ndarray, "3"]  # displacement at the end of the rise [m], seen from how the object lay
+    resting_effect: Float[np.ndarray, "3"]  # and once everything was put down
+    lay: Float[np.ndarray, "3 3"]  # how its axes lay, but for turns about the vertical that do not matter
+    in_a_crowd: bool  # whether others were in the way
+
+
 @dataclass(slots=True)
 class Experience:
     """What was seen of the objects and pairs of one problem."""
 
     grounding: Grounding  # what was learned of their categories
-    _seen: dict[_Key, list[Outcome]] = field(default_factory=dict)
-    _forgotten: dict[_Key, list[Outcome]] = field(default_factory=dict)
+    _seen: dict[_Key, list[_Seen]] = field(default_factory=dict)
+    _forgotten: dict[_Key, list[_Seen]] = field(default_factory=dict)
     _kept: dict[_Key, list[bool]] = field(default_factory=dict)
     _patience: int = GIVEN_UP
 
@@ -66,12 +79,12 @@ class Experience:
         What is forgotten still counts where it is to be given up. Pairs are given some more failures.
         """
         every = {key: self._all(key) for key in {**self._forgotten, **self._seen}}
-        kept = dict[_Key, list[Outcome]]()
+        kept = dict[_Key, list[_Seen]]()
         for item in (as_it_shows(lying, self.grounding) for lying in problem.objects):
-            for operator in promised(self.grounding, item, problem.tolerance).values():
+            for operator in promised(self.grounding, _straight(item), problem.tolerance).values():
                 key = (item.name, _label(operator))
                 rows = every.get(key, [])
-                if _is_given_up(operator, _as_it_lies(item, rows), problem.tolerance):
+                if _is_given_up(operator, self._as_it_lies(item, rows), problem.tolerance):
                     kept[key] = rows
         forgotten = {key: rows for key, rows in every.items() if key not in kept}
         patience = LAST_HOPE if self._kept else self._patience
@@ -85,7 +98,17 @@ class Experience:
             kept = put is not None and ended_in(outcome, self.grounding) == put.state
             self._kept.setdefault((pair_key(step.object, step.place), step.operator), []).append(kept)
         else:
-            self._seen.setdefault((step.object, _label(operator)), []).append(outcome)
+            seen = self._seen_from(outcome, operator)
+            self._seen.setdefault((step.object, _label(operator)), []).append(seen)
+
+    def _seen_from(self, outcome: Outcome, operator: Operator) -> _Seen:
+        """Say what was seen, in the frame in which motions are learned."""
+        lay = outcome.start.orientations[outcome.target]
+        turn = heading(lay) if self.grounding.turned else 0.0
+        effects = outcome.effect, outcome.resting_effect
+        if operator.frame == "object":
+            effects = turned_by(-turn, effects[0]), turned_by(-turn, effects[1])
+        return _Seen(outcome.kind, *effects, _axes(lay, turn), bool(outcome.touched or outcome.disturbed))
 
     def believed(self, problem: Problem) -> tuple[Problem, Grounding]:
         """Take objects as they show now, and give those that were acted upon a category of their own.
@@ -126,11 +149,12 @@ class Experience:
     def _operators_of(self, item: SceneObject, own: Symbol, tolerance: float) -> Iterator[Operator]:
         """List what is believed of an object."""
         rows = [rows for (name, to), rows in self._seen.items() if name == item.name and to.startswith(_TO)]
-        carried = [one.kind == "carried" for outcomes in rows for one in _as_it_lies(item, outcomes)]
+        carried = [one.kind == "carried" for outcomes in rows for one in self._as_it_lies(item, outcomes)]
         is_slippery = len(carried) >= SLIPPERY and not any(carried)
-        for operator in promised(self.grounding, item, tolerance).values():
+        for operator in promised(self.grounding, _straight(item), tolerance).values():
             key, promise, changed = (item.name, _label(operator)), operator.promise, operator
-            outcomes, every = (_as_it_lies(item, rows) for rows in (self._seen.get(key, []), self._all(key)))
+            seen, known = self._seen.get(key, []), self._all(key)
+            outcomes, every = (self._as_it_lies(item, rows) for rows in (seen, known))
             if promise and operator.frame == "place" and is_slippery:
                 changed = _promising(operator, promise, 0.0)
             elif promise and _is_given_up(operator, every, tolerance):
@@ -141,19 +165,26 @@ class Experience:
             name = f"{operator.name}{_OF}{item.name}"
             yield msgspec.structs.replace(changed, name=name, subject=own, company=())
 
-    def _all(self, key: _Key) -> list[Outcome]:
+    def _all(self, key: _Key) -> list[_Seen]:
         return [*self._forgotten.get(key, []), *self._seen.get(key, [])]
 
+    def _as_it_lies(self, item: SceneObject, seen: Sequence[_Seen]) -> list[_Seen]:
+        """List what was done to an object while it lay as it does now."""
+        lies = np.array(item.orientation)
+        axes = _axes(lies, heading(lies) if self.grounding.turned else 0.0)
+        between = [(float(np.trace(axes.T @ one.lay)) - 1) / 2 for one in seen]
+        near = (math.acos(min(1.0, max(-1.0, cosine))) < STRAIGHT for cosine in between)
+        return [one for one, is_near in zip(seen, near, strict=True) if is_near]
 
-def _as_it_lies(item: SceneObject, seen: list[Outcome]) -> list[Outcome]:
-    """List what was done to an object while it lay as it does now."""
-    found = []
-    for one in seen:
-        lay = one.start.orientations[one.target].tolist()
-        along = abs(float(np.dot(lay, item.orientation))) / (math.hypot(*lay) * math.hypot(*item.orientation))
-        if 2 * math.acos(min(1.0, along)) < STRAIGHT:
-            found.append(one)
-    return found
+
+def _axes(orientation: Float[np.ndarray, "4"], turn: float) -> Float[np.ndarray, "3 3"]:
+    """Return the axes of an object, turned back by an angle about the vertical [rad], as columns."""
+    return np.asarray(turned_by(-turn, rotation(orientation).T).T)
+
+
+def _straight(item: SceneObject) -> SceneObject:
+    """Return an object as if it lay straight, in which frame it is learned of."""
+    return msgspec.structs.replace(item, orientation=(0.0, 0.0, 0.0, 1.0))
 
 
 def learned_name(step: PlanStep) -> PlanStep:
@@ -184,14 +215,14 @@ def _label(operator: Operator) -> str:
     return f"{_TO}{operator.label}" if operator.frame == "place" else operator.label
 
 
-def _chance(operator: Operator, outcomes: list[Outcome], kept: list[bool]) -> float:
+def _chance(operator: Operator, outcomes: list[_Seen], kept: list[bool]) -> float:
     """Weigh how often a promise is kept against how often it was."""
-    in_a_crowd = any(outcome.touched or outcome.disturbed for outcome in outcomes)
+    in_a_crowd = any(outcome.in_a_crowd for outcome in outcomes)
     known = KNOWN_IN_A_CROWD if in_a_crowd else KNOWN_BEFORE
     return (known * operator.successes / operator.trials + sum(kept)) / (known + len(kept))
 
 
-def _is_given_up(operator: Operator, outcomes: list[Outcome], tolerance: float) -> bool:
+def _is_given_up(operator: Operator, outcomes: list[_Seen], tolerance: float) -> bool:
     """Say whether what an operator promises failed the last time, and too often to be hoped for again."""
     if operator.promise is None or not outcomes:
         return False
@@ -201,7 +232,7 @@ def _is_given_up(operator: Operator, outcomes: list[Outcome], tolerance: float) 
     return len(kept) >= GIVEN_UP or _chance(operator, outcomes, kept) < LEAST_CHANCE
 
 
-def _weighed_mode(promise: Mode, outcomes: list[Outcome], tolerance: float) -> tuple[Mode, list[bool]]:
+def _weighed_mode(promise: Mode, outcomes: list[_Seen], tolerance: float) -> tuple[Mode, list[bool]]:
     """Weigh a promise against what was seen, and say which outcomes came as is promised then."""
     mode, near = promise, max(tolerance, TOLERANCE)
     if same := [outcome for outcome in outcomes if outcome.kind == promise.kind]:
@@ -225,7 +256,7 @@ def _weighed(mean: tuple[float, ...], spread: tuple[float, ...], seen: np.ndarra
     return vector(value), vector(np.sqrt(1 / (before + now)))
 
 
-def _given_up(operator: Operator, promise: Mode, outcomes: list[Outcome]) -> Operator:
+def _given_up(operator: Operator, promise: Mode, outcomes: list[_Seen]) -> Operator:
     """Promise what was seen in the place of what did not come, if it can be planned with."""
     kind = outcomes[-1].kind
     if kind not in ("resting", "held"):

@@ -44,6 +44,7 @@ def compile_domain(
     cell: float = CELL,
     places: OperatorTable | None = None,
     relations: RelationOperators | None = None,
+    turned: bool = False,
 ) -> Grounding:
     """Turn a table of operators into everything that planning needs, an operator for each outcome.
 
@@ -55,6 +56,7 @@ def compile_domain(
         cell: Edge of a grid cell [m].
         places: What carries objects of the same categories to places, if that was learned.
         relations: What puts objects in relations to one another, if that was learned.
+        turned: Whether motions are performed turned as objects lie.
 
     Raises:
         InvalidValue: If effects are not along x, y and z, the cell is no sensible size, or a name is not
@@ -90,6 +92,7 @@ def compile_domain(
         objects=expanded,
         places=_with_objects(places) if places else None,
         relations=relations,
+        turned=turned,
     )
 
 

@@ -32,7 +32,7 @@ from neurosym.tasks.options import PUT_DOWN
 from neurosym.tasks.promises import promised, usable
 from neurosym.tasks.task import Task, footprints_apart, is_within, overlapping, understand
 from neurosym.tasks.transition import PlanStep, State, apply, missed, refusal, start
-from neurosym.world import Table
+from neurosym.world import Table, heading, turned_by
 
 DEPTH = 3
 """How many primitives a plan may have (section IV-D)."""
@@ -93,6 +93,9 @@ def predicted_branching(
 
     table = _branching([[promise(item, symbol) for symbol in symbols] for item in problem.objects], grounding)
     rehearsed = np.array(table.names) != ""
+    if grounding.turned:
+        lie = [heading(np.array(item.orientation)) for item in problem.objects]
+        effects = np.array([turned_by(*row) for row in zip(lie, effects, strict=True)])
     return replace(table, effects=np.where(rehearsed[:, :, None], effects, np.nan))
 
 

@@ -248,6 +248,8 @@ class Arm:
         finger_thickness: Extent of a finger along y [m].
         palm_half_size: Half the palm's size along x and y [m].
         mass_scale: Factor on all masses, in place of gravity compensation where the file gives true masses.
+        wrist: Which of the joints, by its place among these, turns the hand about the vertical when the hand
+            points down. If None, the hand does not turn with objects that lie turned.
 
     Raises:
         InvalidArm: If a length is not greater than 0, or what belongs together is not of one number. Whether
@@ -267,6 +269,7 @@ class Arm:
     finger_thickness: float
     palm_half_size: tuple[float, float]
     mass_scale: float = 1.0
+    wrist: int | None = None
 
     def __post_init__(self) -> None:
         given = (*self.joints, *self.fingers)

@@ -11,7 +11,7 @@ be neighbours.
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -21,7 +21,16 @@ from neurosym.sim.camera import Camera, Poser
 from neurosym.sim.config import OPEN_THROUGH, OPEN_TOP, Arm, pybullet
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot, hand_boxes
 from neurosym.sim.simulation import Simulation
-from neurosym.world import Disturbance, FrameSink, Outcome, Reference, Scene, centre_of
+from neurosym.world import (
+    Disturbance,
+    FrameSink,
+    OtherObject,
+    Outcome,
+    Reference,
+    Scene,
+    centre_of,
+    turned_by,
+)
 
 PARKING_CLEARANCE, LEAST_PARKING_CLEARANCE = 0.25, 0.05
 """How far above the tallest object there can be the hand waits at first; and at least above any stack [m]."""
@@ -49,9 +58,11 @@ class Interaction:
         on_frame: FrameSink | None = None,
         camera: Camera | None = None,
         on_pose: PoseSink | None = None,
+        lies: Callable[[int], float] = lambda _: 0.0,
     ):
         self._simulation, self._arm, self._target = simulation, arm, target
         self._phase, self._peak, self._is_narrow = "start", -math.inf, False
+        self._lies = lies if arm.wrist is not None else lambda _: 0.0
         self._touched: set[int] = set()
         show = None if on_frame is None and on_pose is None else self._show
         self._robot = Robot(simulation, arm, visible=on_frame is not None, show=show)
@@ -62,8 +73,18 @@ class Interaction:
     def perform(
         self, action: Float[np.ndarray, "A"], put_down: bool, reference: Reference | None = None
     ) -> Outcome:
-        """Run the protocol with three waypoints (x, y, z, g), the last relative to the reference, if any."""
-        waypoints = action.reshape(3, 4)
+        """Run the protocol with three waypoints (x, y, z, g), the last relative to the reference, if any.
+
+        All is turned as the target lies. What is carried is set down straight on the table, or as another
+        object lies that it is put on or into.
+        """
+        turn, release = self._lies(self._target), 0.0
+        if isinstance(reference, OtherObject):
+            release = self._lies(reference.index)
+        waypoints = turned_by(turn, action.reshape(3, 4))
+        if reference is not None:
+            waypoints = np.vstack([waypoints[:2], turned_by(release, action.reshape(3, 4)[2:])])
+        self._robot.turn = turn
         self._is_narrow = reference is not None
         self._park_robot()
         self._simulation.settle()
@@ -79,7 +100,7 @@ class Interaction:
             self._phase = f"waypoint {number}"
             self._set_gripper(bool(waypoint[3] >= 0.5))
             self._robot.move_to(centre + waypoint[:3])
-        carried = reference is not None and self._carry(aim + waypoints[2, :3])
+        carried = reference is not None and self._carry(aim + waypoints[2, :3], release)
         self._phase = "rise"
         self._rise()
         self._simulation.settle()
@@ -138,13 +159,13 @@ class Interaction:
 
         From there the first motion leads straight down, as a hand coming from above would.
         """
-        half_opening = self._opening(float(point[1])) if is_open else 0.0
+        half_opening = self._opening(point) if is_open else 0.0
         height = max(float(point[2]), LOWEST_TOOL_POINT, self._clear_height(point, half_opening))
         self._robot.place_at(np.array([point[0], point[1], height]), half_opening)
 
     def _clear_height(self, point: Float[np.ndarray, "3"], half_opening: float) -> float:
         """Return the least height of the tool point at which no part of the hand touches an object [m]."""
-        parts = hand_boxes(self._arm, np.array([half_opening]))  # (1, 3, 3) each
+        parts = hand_boxes(self._arm, np.array([half_opening]), self._robot.turn)  # (1, 3, 3) each
         least, greatest = (corners[0, :, :2] + point[:2] for corners in parts)
         heights = [0.0]
         for low, high in map(self._simulation.client.getAABB, self._simulation.bodies):
@@ -152,14 +173,27 @@ class Interaction:
             heights += [high[2] + CLEARANCE - bottom for bottom in parts[0][0, is_under.all(1), 2]]
         return max(heights)
 
-    def _opening(self, y: float) -> float:
-        """Return how far each finger opens where the middle of the hand is there along y [m]."""
-        widest = self._arm.half_opening
-        return _grasp_opening(self._simulation, self._target, y, widest) if self._is_narrow else widest
+    def _opening(self, point: Float[np.ndarray, "3"]) -> float:
+        """Return how far each finger opens where the middle of the hand is there [m]."""
+        if not self._is_narrow:
+            return self._arm.half_opening
+        low, high = self._along_fingers(self._robot.turn)
+        middle = float(turned_by(-self._robot.turn, point)[1])
+        return _grasp_opening(low - middle, high - middle, self._arm.half_opening)
+
+    def _along_fingers(self, turn: float) -> tuple[float, float]:
+        """Return from where to where the target reaches along the way in which a turned hand opens [m]."""
+        if turn == 0.0:
+            low, high = self._simulation.client.getAABB(self._simulation.bodies[self._target])
+            return low[1], high[1]
+        scene = self._simulation.observe()
+        corners = _corners(scene.features[self._target]) @ rotation(scene.orientations[self._target]).T
+        along = turned_by(-turn, corners + scene.positions[self._target])[:, 1]
+        return float(along.min()), float(along.max())
 
     def _set_gripper(self, is_open: bool) -> None:
         if is_open and not self._robot.is_open:
-            self._robot.open(self._opening(float(self._robot.tool_point()[1])))
+            self._robot.open(self._opening(self._robot.tool_point()))
         elif self._robot.is_open and not is_open:
             self._robot.close()
 
@@ -175,8 +209,11 @@ class Interaction:
         carried = _connected(self._robot.body, touching)
         return [index for index, body in enumerate(bodies) if body in carried - standing]
 
-    def _carry(self, point: Float[np.ndarray, "3"]) -> bool:
-        """Carry the target over a point [m], set it down there, and return whether it hung so far."""
+    def _carry(self, point: Float[np.ndarray, "3"], turn: float) -> bool:
+        """Carry the target over a point [m], turn the hand to an angle [rad], and set the target down there.
+
+        Returned is whether it hung so far.
+        """
         if not self._simulation.touched_by(self._robot.body):
             return False
         self._phase = "carry"
@@ -189,8 +226,8 @@ class Interaction:
         top = max((high for index, (_, high) in enumerate(heights) if index not in hanging), default=0.0)
         x, y, z = self._robot.tool_point()
         z += max(0.0, top + TRANSIT_CLEARANCE - bottom)  # to pass over all the rest
-        places = np.array([[x, y, z], [point[0], point[1], z]])
-        arrived = all(map(self._robot.move_to, places))
+        over = np.array([point[0], point[1], z])
+        arrived = self._robot.move_to(np.array([x, y, z])) and self._robot.move_to(over, turn=turn)
         hanging = self._hanging()
         if not arrived or self._target not in hanging:
             return False
@@ -262,13 +299,13 @@ def _connected(body: int, touching: Mapping[int, set[int]]) -> set[int]:
     return found
 
 
-def _grasp_opening(simulation: Simulation, target: int, y: float, widest: float) -> float:
+def _grasp_opening(low: float, high: float, widest: float) -> float:
     """Return how far each finger opens, at most `widest`, to come down on both sides of an object [m].
 
-    If the object is too wide for that, one finger comes down beside it and the other inside or on it.
+    It reaches from one side of the hand's middle to the other. If it is too wide for that, one finger comes
+    down beside it and the other inside or on it.
     """
-    low, high = simulation.client.getAABB(simulation.bodies[target])
-    nearest, farthest = sorted((abs(low[1] - y), abs(high[1] - y)))
+    nearest, farthest = sorted((abs(low), abs(high)))
     around = farthest + MARGIN
     return float(around if around <= widest else min(nearest + MARGIN, widest))
 

@@ -15,6 +15,7 @@ from neurosym.contract import CLEARANCE, FINGER_SPEED, PEAK_SPEED, way_seconds
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import Arm, pybullet
 from neurosym.sim.simulation import Simulation
+from neurosym.world import turned_by
 
 CLOSING_FORCE, HOLDING_FORCE = 10.0, 20.0
 OPENING_FORCE = 0.4
@@ -35,7 +36,7 @@ Drive = tuple[list[float], list[float]]
 
 
 def hand_boxes(
-    arm: Arm, half_openings: Float[np.ndarray, "T"]
+    arm: Arm, half_openings: Float[np.ndarray, "T"], turn: float = 0.0
 ) -> tuple[Float[np.ndarray, "T 3 3"], Float[np.ndarray, "T 3 3"]]:
     """Return the least and greatest corners of the boxes around the fingers and the palm [m].
 
@@ -44,13 +45,19 @@ def hand_boxes(
     Args:
         arm: Whose hand.
         half_openings: How far each finger is out [m].
+        turn: How far the hand is turned about the vertical [rad].
     """
     width, thickness, length = arm.finger_half_width, arm.finger_thickness, arm.finger_length
     x, y = arm.palm_half_size
     low = np.array([[-width, 0.0, 0.0], [-width, -thickness, 0.0], [-x, -y, length]])
     high = np.array([[width, thickness, length], [width, 0.0, length], [x, y, math.inf]])
     apart = half_openings[:, None, None] * np.array([[0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 0.0]])
-    return low + apart, high + apart
+    low, high = low + apart, high + apart
+    if turn != 0.0:
+        middle, half = turned_by(turn, (low + high)[..., :2] / 2), (high - low)[..., :2] / 2
+        around = np.abs(np.array([[math.cos(turn), math.sin(turn)], [math.sin(turn), math.cos(turn)]]))
+        low[..., :2], high[..., :2] = middle - half @ around, middle + half @ around
+    return low, high
 
 
 class Robot:
@@ -89,6 +96,7 @@ class Robot:
         gear = client.createConstraint(body, left, body, right, pybullet.JOINT_GEAR, axis, middle, middle)
         client.changeConstraint(gear, gearRatio=-1, maxForce=200, erp=0.5)
         self.is_open = True
+        self.turn = 0.0  # how far the hand is turned about the vertical [rad]
 
     def place_at(self, point: Float[np.ndarray, "3"], half_opening: float) -> None:
         """Put the hand at a point [m] at once, motionless, pointing down, each finger so far out [m]."""
@@ -113,19 +121,24 @@ class Robot:
         *,
         peak_speed: float = PEAK_SPEED,
         until: Callable[[], bool] | None = None,
+        turn: float | None = None,
     ) -> bool:
         """Move in a straight line to a point above the table [m], with a smooth start and end.
 
-        Returns whether the motion came to its end; not if something held the hand back, or `until` came true.
+        On the way the hand turns to an angle about the vertical [rad], if one is given. Returns whether the
+        motion came to its end; not if something held the hand back, or `until` came true.
         """
         start = self.tool_point()
         goal = np.array([point[0], point[1], max(point[2], LOWEST_TOOL_POINT)])
         distance = float(np.linalg.norm(goal - start))
         count = max(1, int(np.ceil(way_seconds(distance, peak_speed) / self._time_step)))
         path = start + _smooth(count)[:, None] * (goal - start)  # (T, 3)
+        turns, is_turning = np.full(count, self.turn), turn is not None and turn != self.turn
+        if turn is not None and is_turning:
+            turns, self.turn = self.turn + _smooth(count) * (turn - self.turn), turn
         openings, drives, tick = np.array([self.half_opening()]), list[Drive](), 0
         while tick < count:
-            looks = until is None and tick % _LOOK_AHEAD_EVERY == 0
+            looks = until is None and not is_turning and tick % _LOOK_AHEAD_EVERY == 0
             if looks and (free := self._free_ticks(np.vstack([self.tool_point(), path[tick:]]), openings)):
                 between = self._drives(path[tick : tick + free]) if self._show else []
                 tick += free
@@ -133,7 +146,7 @@ class Robot:
                 self._pass(free, self._arm.joints, end, between)
                 self._drive_arm(*end)
                 continue
-            drives = drives or self._drives(path)
+            drives = drives or self._drives(path, turns)
             self._drive_arm(*drives[tick])
             self._simulation.step()
             is_over = until is not None and until()
@@ -144,9 +157,14 @@ class Robot:
             tick += 1
         return True
 
-    def _drives(self, path: Float[np.ndarray, "T 3"]) -> list[Drive]:
-        """Return angles [rad] and velocities of the joints that lead the tool point along a path [m]."""
-        joints = self._arm.inverse_kinematics(path)  # (T, J)
+    def _drives(
+        self, path: Float[np.ndarray, "T 3"], turns: Float[np.ndarray, "T"] | None = None
+    ) -> list[Drive]:
+        """Return angles [rad] and velocities of the joints that lead the tool point along a path [m].
+
+        The hand is turned as it is, or by so much at each point [rad].
+        """
+        joints = self._angles(path, self.turn if turns is None else turns)
         still = np.zeros_like(joints)
         velocities = np.gradient(joints, self._time_step, axis=0) if len(path) > 1 else still
         return list(zip(joints.tolist(), velocities.tolist(), strict=True))
@@ -163,7 +181,7 @@ class Robot:
         if not self._simulation.is_quiet():
             return 0
         boxes = self._simulation.boxes()  # (B, 2, 3)
-        low, high = hand_boxes(self._arm, half_openings)  # (T, 3, 3)
+        low, high = hand_boxes(self._arm, half_openings, self.turn)  # (T, 3, 3)
         low, high = low + points[:, None] - CLEARANCE, high + points[:, None] + CLEARANCE
         meets = (low[:, :, None] < boxes[:, 1]) & (boxes[:, 0] < high[:, :, None])  # (T, 3, B, 3)
         is_near = meets.all(3).any((1, 2))
@@ -186,9 +204,18 @@ class Robot:
 
     def _hold(self, point: Float[np.ndarray, "3"]) -> list[float]:
         """Stay at a point [m], and return the joint angles there [rad]."""
-        angles: list[float] = self._arm.inverse_kinematics(point[None])[0].tolist()
+        angles: list[float] = self._angles(point[None], self.turn)[0].tolist()
         self._drive_arm(angles, [0.0] * len(angles))
         return angles
+
+    def _angles(
+        self, points: Float[np.ndarray, "T 3"], turns: float | Float[np.ndarray, "T"]
+    ) -> Float[np.ndarray, "T J"]:
+        """Return the joint angles [rad] for tool points [m], with the hand turned about the vertical."""
+        joints = self._arm.inverse_kinematics(points)
+        if self._arm.wrist is not None and np.any(turns):
+            joints[:, self._arm.wrist] -= turns
+        return joints
 
     def close(self) -> None:
         """Close the fingers until they stop."""
@@ -313,5 +340,6 @@ UR10 = Arm(
     finger_half_width=0.011,
     finger_thickness=0.012,
     palm_half_size=(0.025, 0.075),
+    wrist=5,
 )
 """The paper's arm with a hand of 140 mm opening; its file scales the masses by 0.03 already."""

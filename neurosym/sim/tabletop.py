@@ -32,6 +32,7 @@ from neurosym.world import (
     ReferenceKind,
     Scene,
     check_action,
+    heading,
     three_waypoints,
 )
 
@@ -63,6 +64,7 @@ class Tabletop:
         self.config, self.name, self.arm = config or TabletopConfig(), name, arm
         self.action_box, self.lift_height = three_waypoints(), self.config.lift_height
         self.table, self.object_limits = self.config.table, self.config.object_limits
+        self.turns = arm.wrist is not None
         self.wanted_pictures: Container[int] | None = None
         self.painter: Painter | None = None
         self.on_pose: PoseSink | None = None
@@ -98,7 +100,10 @@ class Tabletop:
         simulation = Simulation(self.client(), config, scene)
         try:
             camera = Camera(simulation, ghosts, self.wanted_pictures, self.painter) if on_frame else None
-            interaction = Interaction(simulation, self.arm, target, on_frame, camera, self.on_pose)
+            lies = [heading(orientation) for orientation in scene.orientations]
+            interaction = Interaction(
+                simulation, self.arm, target, on_frame, camera, self.on_pose, lies.__getitem__
+            )
             return interaction.perform(np.asarray(action, dtype=float), put_down, reference)
         except pybullet.error as error:
             if self.client().isConnected():

@@ -29,6 +29,7 @@ from neurosym.stages.folder import Claim, DomainFolder, Stage, load_scene
 from neurosym.stages.plan_records import recorded_plans
 from neurosym.tasks.promises import fits_of
 from neurosym.tasks.task import is_relational, understand
+from neurosym.world import turns
 from neurosym.worlds.world_file import read_world
 
 # What a domain folder holds for other planners: the page without costs, and with durative actions.
@@ -176,6 +177,7 @@ def compile_stage(
             cell=cell,
             table_bounds=world.table,
             lift_height=world.lift_height,
+            turned=turns(world),
             places=PlaceFile.load(places).table() if has_places else None,
             relations=PairFile.load(relations).table() if has_relations else None,
         )

@@ -161,6 +161,7 @@ class Asked:
         height: How many objects a tower or a stack has.
         state: The state that a drawn task of relations asks for; any, if not given.
         conditions: What shall hold, in words; goals and relations by hand are such, too, then.
+        turned: Whether objects lie turned by any angle, and not straight.
     """
 
     objects: int = 1
@@ -173,6 +174,7 @@ class Asked:
     height: int = HEIGHT
     state: str = ""
     conditions: tuple[str, ...] = ()
+    turned: bool = False
 
     def options(self) -> dict[str, Any]:
         """Return it as a manifest keeps it; what is as usual was not always there, and is left out."""
@@ -210,7 +212,7 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
 def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -> Problem:
     """Draw a problem, or set it by hand, and check what it asks of relations."""
     from neurosym.learning.network import EffectModel
-    from neurosym.worlds.task_drawing import draw_problem, set_problem
+    from neurosym.worlds.task_drawing import draw_problem, lying_turned, set_problem
 
     world = read_world(folder.require(layout.WORLD))()
     categorise = EffectModel.load(folder.require(layout.MODEL)).object_symbols
@@ -227,6 +229,7 @@ def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -
     else:
         meant = relations_meant(asked.relations, grounding)
         problem = set_problem(world, categorise, asked.goals or {}, relations=meant, **named)
+    problem = lying_turned(problem, asked.seed) if asked.turned else problem
     problem = with_pairs(problem.within(asked.tolerance), grounding.relations, sight)
     problem = with_goals(problem, grounding)
     check_relations(problem, grounding)

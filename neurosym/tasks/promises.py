@@ -16,9 +16,10 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Category, Operator
+from neurosym.operators import TOLERANCE, Category, Mode, Operator, vector
 from neurosym.problems import SceneObject
 from neurosym.regression import Choice, Regression, fit, found_for
+from neurosym.world import heading, turned_by
 
 LEAST_CHANCE = 0.25
 """Operators that keep their promise more rarely with such an object are not planned with.
@@ -36,9 +37,11 @@ def promised(grounding: Grounding, item: SceneObject, tolerance: float = TOLERAN
 
     Each has the name, the category and the primitive of the operator that was learned, and no rehearsals.
     Objects that are unlike all that were rehearsed are promised what their category is. An outcome that comes
-    within the tolerance of the promise has kept it [m].
+    within the tolerance of the promise has kept it [m]. Where motions are turned as objects lie, so is what
+    they promise.
     """
-    return _promised(grounding, item.category, item.features, tolerance)
+    turn = heading(np.array(item.orientation)) if grounding.turned else 0.0
+    return _promised(grounding, item.category, item.features, tolerance, turn)
 
 
 def usable(grounding: Grounding, item: SceneObject, tolerance: float = TOLERANCE) -> tuple[Operator, ...]:
@@ -94,12 +97,24 @@ def is_rehearsed(category: Category, features: Sequence[float]) -> bool:
 
 @lru_cache(maxsize=256)
 def _promised(
-    grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float
+    grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float, turn: float
 ) -> Mapping[str, Operator]:
     learned = grounding.category(category)
     own, is_known = grounding.operators_on(category), is_rehearsed(learned, features)
-    promises = [_refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own]
-    return MappingProxyType({one.name: one for one in promises})
+    promises = (_refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own)
+    return MappingProxyType({one.name: _turned(one, turn) for one in promises})
+
+
+def _turned(operator: Operator, angle: float) -> Operator:
+    """Return an operator that displaces objects as if these lay turned by an angle [rad]."""
+    if angle == 0.0 or operator.frame != "object":
+        return operator
+
+    def led(mode: Mode) -> Mode:
+        effect, resting = turned_by(angle, np.array([mode.effect, mode.resting_effect]))
+        return msgspec.structs.replace(mode, effect=vector(effect), resting_effect=vector(resting))
+
+    return msgspec.structs.replace(operator, outcomes=tuple(map(led, operator.outcomes)))
 
 
 def _plain(operator: Operator) -> Operator:

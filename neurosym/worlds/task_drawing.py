@@ -1,5 +1,6 @@
 """Tasks that people bring: put things there, have them change places, set them in a row, clear a crowd."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from typing import Any, get_args
@@ -12,12 +13,15 @@ from neurosym.choices import TaskKind
 from neurosym.contract import guarded, placed
 from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.operators import TOLERANCE, Categorise, Vector, symbols_of, vector
+from neurosym.pair_operators import extent
 from neurosym.problems import Problem, RelationGoal, SceneObject, check_goals, check_names, goal_heights
 from neurosym.world import Outcome, Scene, Table, World
 
 # Making problems: tasks drawn from the world as the paper draws them, or goals given by hand
 
 _MOST_DRAWS = 1000
+_TURNS = 0x7475726E  # keeps the randomness of how objects lie apart from all others
+_ROOM = 0.01  # between objects that are turned [m]
 _TASKS = 0x7461736B  # keeps the randomness of tasks apart from that of exploration and rehearsal
 
 
@@ -123,6 +127,31 @@ def set_problem(
     )
     check_goals(problem, world.table, goal_heights(problem, world.lift_height))
     return problem
+
+
+def lying_turned(problem: Problem, seed: int) -> Problem:
+    """Return a problem whose objects lie turned by any angle, where they have room for that.
+
+    Quarter turns change nothing but which of two sizes is along x, and these are drawn alike. So angles go
+    from -45 to 45 degrees. An object that would come too near to another one stays as it is.
+    """
+    rng, objects = np.random.default_rng([_TURNS, seed]), [*problem.objects]
+    for number, item in enumerate(problem.objects):
+        angle = float(rng.uniform(-np.pi / 4, np.pi / 4))
+        turned = msgspec.structs.replace(
+            item, orientation=(0.0, 0.0, round(math.sin(angle / 2), 6), round(math.cos(angle / 2), 6))
+        )
+        scene = msgspec.structs.replace(
+            problem, objects=(*objects[:number], turned, *objects[number + 1 :])
+        ).scene()
+        size = np.array([extent(scene, row)[:2] for row in range(len(scene))])
+        gaps = np.abs(scene.positions[:, :2] - scene.positions[number, :2]) - (size + size[number]) / 2
+        gaps[number] = np.inf
+        if np.all(gaps.max(1) >= _ROOM):
+            objects[number] = turned
+    return msgspec.structs.replace(
+        problem, objects=tuple(objects), provenance=f"{problem.provenance}; objects lie turned"
+    )
 
 
 def check_task(name: str, objects: int, seed: int, tolerance: float) -> None:
