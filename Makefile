@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-budget evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-planners evaluate-foreign evaluate-scale evaluate-any-data evaluate-studio faults tutorial architecture pictures films docs clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-budget evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-planners evaluate-foreign evaluate-scale evaluate-any-data evaluate-asked evaluate-studio faults tutorial architecture pictures films docs clean
 
 install: $(VENV)/.installed
 
@@ -73,6 +73,10 @@ evaluate-planning: STRATEGIES := curiosity random active
 evaluate-planning: install
 	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev,planners]'
 	$(BIN)/python -m tools.benchmarks.planning.evaluate --seeds $(SEEDS) --steps $(STEPS) --strategies $(STRATEGIES)
+
+# Whether what people ask for is done, into docs/results/asked.*; goes on where it was interrupted. SCALE=0.1 for a glance.
+evaluate-asked: install
+	$(BIN)/python -m tools.benchmarks.asked.evaluate --scale $(SCALE)
 
 # How well objects are carried to places, over seeds, into docs/results/places.*; goes on where it was interrupted.
 evaluate-places: install

@@ -130,6 +130,10 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
     foreseen: dict[str, dict[str, Share]] = {}
     #: What shall hold, as people say it (see `neurosym.tasks.conditions`); goals and relations are chosen so
     conditions: tuple[str, ...] = ()
+    #: How near conditions are to be met, where goals that were chosen for them are to be met nearer [m]
+    asked_within: Length | None = None
+    #: How objects shall be turned at their goals, modulo half a turn [degrees], by name; chosen so
+    headings: dict[str, Length] = {}
     #: Names of the objects that touch, where somebody saw that; else it is told by geometry
     touching: tuple[tuple[str, str], ...] | None = None
 
@@ -180,7 +184,9 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
 
     def within(self, tolerance: float | None) -> "Problem":
         """Return the problem with another tolerance [m], or as it is if that is None."""
-        return self if tolerance is None else msgspec.structs.replace(self, tolerance=tolerance)
+        if tolerance is None:
+            return self
+        return msgspec.structs.replace(self, tolerance=tolerance, asked_within=None)
 
     def only(self, name: str) -> "Problem":
         """Return the problem of one object with a goal, without the others."""

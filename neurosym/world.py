@@ -62,10 +62,15 @@ class Place:
 
     x: float  #: Where it lies away from the robot's base [m]
     y: float  #: Where it lies to the robot's left [m]
+    #: How what is set down there shall be turned about the vertical, its x axis from that of the world and
+    #: modulo half a turn [rad]; straight if not given. Worlds that turn nothing heed it not
+    heading: float | None = None
 
     def __post_init__(self) -> None:
         _check_number("Place.x", self.x)
         _check_number("Place.y", self.y)
+        if self.heading is not None:
+            _check_number("Place.heading", self.heading)
 
     @property
     def centre(self) -> Float[np.ndarray, "3"]:
@@ -103,6 +108,13 @@ def heading(orientation: Float[np.ndarray, "4"]) -> float:
     angle = math.atan2(level[1], level[0])
     turned = (angle + math.pi / 4) % (math.pi / 2) - math.pi / 4
     return turned if abs(turned) >= STRAIGHT else 0.0
+
+
+def heading_to(orientation: Float[np.ndarray, "4"], wanted: float) -> float:
+    """Return by how much an object is to be turned to a heading, the nearer way, modulo half a turn [rad]."""
+    x, y, z, w = np.asarray(orientation, dtype=float) / np.linalg.norm(orientation)
+    now = math.atan2(2 * (x * y + z * w), 1 - 2 * (y * y + z * z))
+    return (wanted - now + math.pi / 2) % math.pi - math.pi / 2
 
 
 def turned_by(angle: float, offsets: Float[np.ndarray, "*n K"]) -> Float[np.ndarray, "*n K"]:

@@ -8,8 +8,10 @@ new plans come nearer to it, and as long as all of them together have not taken 
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import msgspec
+import numpy as np
 
 from neurosym.checks import check_all, check_callable, check_count, check_kind, check_seed
 from neurosym.contract import guarded, limits_of, placed
@@ -31,9 +33,19 @@ from neurosym.planners.planner import Effort, Tell
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem
 from neurosym.tasks.goal_choice import with_goals
-from neurosym.tasks.task import understand
+from neurosym.tasks.task import is_at, understand
 from neurosym.tasks.transition import PlanStep, check_aims, named_steps, primitives, promise_of, validate
-from neurosym.world import FrameSink, OtherObject, Outcome, Reference, Scene, World
+from neurosym.world import (
+    FrameSink,
+    OtherObject,
+    Outcome,
+    Reference,
+    Scene,
+    World,
+    heading,
+    heading_to,
+    turned_by,
+)
 
 FAR = 0.1
 """As how far from its goal an object counts whose relation is missed [m]."""
@@ -258,7 +270,13 @@ class _Running:
         promise = promise_of(believed_name(step, believed, grounding), believed, grounding).promise
         x, y = self.aimed.place_named(step.place)
         off_x, off_y = promise.resting_effect[:2] if promise else (0.0, 0.0)
-        return table.nearest(x - off_x, y - off_y)
+        asked = self.aimed.headings.get(step.object)
+        if asked is None or not is_at(step.object, (x, y), self.aimed):
+            return table.nearest(x - off_x, y - off_y)
+        wanted, lies = math.radians(asked), self.here.scene.orientations[names.index(step.object)]
+        turn = heading(lies) + heading_to(lies, wanted)
+        off_x, off_y = turned_by(turn, np.array([off_x, off_y])).tolist()
+        return replace(table.nearest(x - off_x, y - off_y), heading=wanted)
 
     def _miss(self) -> float:
         """Return how far objects are from their goals, in sum, a missed relation as if it were far [m]."""

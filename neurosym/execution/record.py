@@ -140,7 +140,8 @@ class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     disturbed: dict[str, Disturbance] = {}  # how other objects ended that ended elsewhere, by name
     put_down: bool = True  # whether a held object was put down again at the end of the step
     place: str | msgspec.UnsetType = msgspec.UNSET  # the place, or the other object, that it was to go to
-    aim: tuple[Length, Length] | msgspec.UnsetType = msgspec.UNSET  # of the hand for that, x and y [m]
+    # of the hand for that: x and y [m], and the heading asked for, if one is [rad]
+    aim: tuple[Length, ...] | msgspec.UnsetType = msgspec.UNSET
     promised_state: str | msgspec.UnsetType = msgspec.UNSET  # in which it was to be with the other
     state: str | msgspec.UnsetType = msgspec.UNSET  # in which it ended with that, if it was carried
     relations: dict[str, str] | msgspec.UnsetType = msgspec.UNSET  # what bears objects then, by name
@@ -321,8 +322,12 @@ def _moved(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outc
         "effect": effect,
         "deviation": deviation,
         "as_promised": kind == outcome.kind and deviation is not None and deviation <= TOLERANCE,
-        "aim": (aim.x, aim.y) if isinstance(aim := outcome.reference, Place) else msgspec.UNSET,
+        "aim": _told_of(aim) if isinstance(aim := outcome.reference, Place) else msgspec.UNSET,
     }
+
+
+def _told_of(aim: Place) -> tuple[float, ...]:
+    return (aim.x, aim.y) if aim.heading is None else (aim.x, aim.y, aim.heading)
 
 
 def _put(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome) -> dict[str, Any]:

@@ -113,8 +113,9 @@ class Experience:
     def believed(self, problem: Problem) -> tuple[Problem, Grounding]:
         """Take objects as they show now, and give those that were acted upon a category of their own.
 
-        Nothing is foreseen of pairs with which an operator is given up. Returned are the problem with these
-        categories, and the grounding that has them.
+        Nothing is foreseen of pairs with which an operator is given up. Conditions name categories of old, so
+        only the goals are left that were chosen for them. Returned are the problem with these categories, and
+        the grounding that has them.
         """
         known = {name for name, _ in self._seen}
         objects, categories, operators = [], list[Category](), list[Operator]()
@@ -130,7 +131,7 @@ class Experience:
         for (pair, label), kept in self._kept.items():
             if len(kept) >= most and not any(kept[-most:]):
                 foreseen.setdefault(pair, {})[label] = 0.0
-        problem = msgspec.structs.replace(problem, objects=tuple(objects), foreseen=foreseen)
+        problem = msgspec.structs.replace(problem, objects=tuple(objects), foreseen=foreseen, conditions=())
         return problem, self._with(categories, operators) if categories else self.grounding
 
     def _with(self, categories: list[Category], operators: list[Operator]) -> Grounding:

@@ -11,7 +11,7 @@ be neighbours.
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -26,9 +26,12 @@ from neurosym.world import (
     FrameSink,
     OtherObject,
     Outcome,
+    Place,
     Reference,
     Scene,
     centre_of,
+    heading,
+    heading_to,
     turned_by,
 )
 
@@ -58,11 +61,11 @@ class Interaction:
         on_frame: FrameSink | None = None,
         camera: Camera | None = None,
         on_pose: PoseSink | None = None,
-        lies: Callable[[int], float] = lambda _: 0.0,
+        orientations: Float[np.ndarray, "M 4"] | None = None,
     ):
         self._simulation, self._arm, self._target = simulation, arm, target
         self._phase, self._peak, self._is_narrow = "start", -math.inf, False
-        self._lies = lies if arm.wrist is not None else lambda _: 0.0
+        self._lie = None if arm.wrist is None else orientations
         self._touched: set[int] = set()
         show = None if on_frame is None and on_pose is None else self._show
         self._robot = Robot(simulation, arm, visible=on_frame is not None, show=show)
@@ -75,12 +78,10 @@ class Interaction:
     ) -> Outcome:
         """Run the protocol with three waypoints (x, y, z, g), the last relative to the reference, if any.
 
-        All is turned as the target lies. What is carried is set down straight on the table, or as another
-        object lies that it is put on or into.
+        All is turned as the target lies. What is carried is set down straight on the table, or as is asked
+        for, or as another object lies that it is put on or into.
         """
-        turn, release = self._lies(self._target), 0.0
-        if isinstance(reference, OtherObject):
-            release = self._lies(reference.index)
+        turn, release = self._turns(reference)
         waypoints = turned_by(turn, action.reshape(3, 4))
         if reference is not None:
             waypoints = np.vstack([waypoints[:2], turned_by(release, action.reshape(3, 4)[2:])])
@@ -128,6 +129,17 @@ class Interaction:
             carried=carried and not held,
             contacts=tuple(self._contacts()),
         )
+
+    def _turns(self, reference: Reference | None) -> tuple[float, float]:
+        """Return how far the hand is turned where it takes the target, and where it sets that down [rad]."""
+        if self._lie is None:
+            return 0.0, 0.0
+        turn = heading(self._lie[self._target])
+        if isinstance(reference, OtherObject):
+            return turn, heading(self._lie[reference.index])
+        if isinstance(reference, Place) and reference.heading is not None:
+            return turn, turn + heading_to(self._lie[self._target], reference.heading)
+        return turn, 0.0
 
     def _watch(self) -> None:
         """Look at the peak and at bystanders now and then, and show what happens."""

@@ -32,7 +32,6 @@ from neurosym.world import (
     ReferenceKind,
     Scene,
     check_action,
-    heading,
     three_waypoints,
 )
 
@@ -100,9 +99,8 @@ class Tabletop:
         simulation = Simulation(self.client(), config, scene)
         try:
             camera = Camera(simulation, ghosts, self.wanted_pictures, self.painter) if on_frame else None
-            lies = [heading(orientation) for orientation in scene.orientations]
             interaction = Interaction(
-                simulation, self.arm, target, on_frame, camera, self.on_pose, lies.__getitem__
+                simulation, self.arm, target, on_frame, camera, self.on_pose, scene.orientations
             )
             return interaction.perform(np.asarray(action, dtype=float), put_down, reference)
         except pybullet.error as error:

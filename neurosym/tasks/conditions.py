@@ -4,6 +4,7 @@ A condition is a line like one of these; `or` parts options, and `and` parts wha
 
     item-01 x=0.35..0.6 y=..0     within bounds [m]; a single number is met within the tolerance
     item-01 at 0.6,0.1            near a point
+    item-01 heading=30            turned so [degrees], within 15, modulo half a turn; beside the others
     all 10 within-reach           every object of a category, by its bits or its name
     2 of 10 y=0..                 so many of a category, or of some objects: 2 of item-01,item-02
     item-01 next-to item-02       or apart-from, on, under, not-on, or a state that the domain knows
@@ -22,7 +23,7 @@ from neurosym.grounding import Grounding
 from neurosym.pair_operators import RelationOperators, extent
 from neurosym.problems import Problem
 from neurosym.tasks.supports import Borne, bearers_of
-from neurosym.world import Table
+from neurosym.world import Table, heading_to
 
 NEXT, APART = 0.05, 0.10
 """Footprints are next to each other if they are no farther apart than the one, and apart from each other if
@@ -34,6 +35,7 @@ _PLAIN = {"beside": "next-to", "apart-from": "apart-from", "lies-under": "under"
 """What people call learned states in which nothing is borne, by what their names begin with."""
 _AXES = "xyz"
 _OVERLAP = 0.005  # of the boxes of two objects that count as next to each other [m]
+_HEADED = math.radians(15)  # how near an object must come to a heading [rad]
 _TERM = re.compile(r"([xyz]|heading)=(.*)")
 
 Bounds = Mapping[str, tuple[float, float]]
@@ -158,10 +160,6 @@ def _bounds(terms: Sequence[str], text: str, table: Table) -> Bounds:
     found = dict[str, tuple[float, float]]()
     for term in terms:
         axis, _, said = term.partition("=")
-        if axis == "heading":
-            raise InvalidValue(
-                f"{text!r} asks for a heading, and no motion turns what it moves; leave it out."
-            )
         low, dots, high = said.partition("..")
         try:
             least = float(low) if low or not dots else -math.inf
@@ -174,6 +172,8 @@ def _bounds(terms: Sequence[str], text: str, table: Table) -> Bounds:
             raise InvalidValue(f"{text!r} says {axis} twice; say it once.")
         if not least <= most or (dots and least == most) or math.isnan(least + most):
             raise InvalidValue(f"{text!r} leaves no room along {axis}; give the lower bound first.")
+        if axis == "heading" and (dots or not abs(least) <= 360):
+            raise InvalidValue(f"{text!r} asks for no heading; valid: a number of degrees, as heading=30.")
         found[axis] = (least, most)
         low_edge, high_edge = _over(table).get(axis, (-math.inf, math.inf))
         if least > high_edge or most < low_edge:
@@ -194,6 +194,7 @@ class Sight:
         scene, self.problem = problem.scene(), problem
         self.sizes = {name: extent(scene, row) for row, name in enumerate(problem.object_names)}
         self.places = {item.name: np.array(item.position) for item in problem.objects}
+        self.lies = {item.name: np.array(item.orientation) for item in problem.objects}
         relations = grounding.relations
         self.supports: Mapping[str, Borne] = bearers_of(problem, relations) if relations else {}
 
@@ -204,7 +205,9 @@ class Sight:
     def holds_of(self, name: str, clause: Clause) -> bool:
         """Say whether it holds of an object."""
         if clause.bounds:
-            return self._is_within(self.places[name], clause.bounds)
+            asked = {axis: ends for axis, ends in clause.bounds.items() if axis != "heading"}
+            is_headed = "heading" not in clause.bounds or self.is_headed(name, clause.bounds["heading"][0])
+            return is_headed and self._is_within(self.places[name], asked)
         if clause.word in BESIDE:
             gap = self.gap(name, clause.other)
             return gap >= APART if clause.word == "apart-from" else self._is_beside(name, clause.other, gap)
@@ -215,12 +218,16 @@ class Sight:
             return not is_on
         return is_on and clause.word in ("on", self.supports[name].state.name)
 
+    def is_headed(self, name: str, wanted: float) -> bool:
+        """Say whether an object is turned as is asked for [degrees]."""
+        return abs(heading_to(self.lies[name], math.radians(wanted))) <= _HEADED
+
     def _is_within(self, spot: np.ndarray, bounds: Bounds) -> bool:
         wanted = {axis: spot[_AXES.index(axis)] for axis in bounds}
         points = [axis for axis, (low, high) in bounds.items() if low == high]
         off = math.hypot(*(wanted[axis] - bounds[axis][0] for axis in points))
         inside = (bounds[axis][0] <= wanted[axis] <= bounds[axis][1] for axis in wanted if axis not in points)
-        return off <= self.problem.tolerance and all(inside)
+        return off <= (self.problem.asked_within or self.problem.tolerance) and all(inside)
 
     def gap(self, name: str, other: str, spot: np.ndarray | None = None) -> float:
         """Return how far footprints are apart, negative if they overlap, with the first at a spot [m]."""
@@ -282,7 +289,7 @@ def _entries(goals: object) -> list[tuple[str, object]]:
 def _said(name: str, goal: object) -> str:
     """Write the goal of an object as a condition."""
     if isinstance(goal, list) and len(goal) == 7:
-        goal = {**dict(zip(_AXES, goal[:3], strict=True)), "heading": "any"}
+        goal = dict(zip(_AXES, goal[:3], strict=True)) | {"heading": _degrees(goal[3:])}
     if isinstance(goal, list) and len(goal) == 3:
         goal = dict(zip(_AXES, goal, strict=True))
     terms = []
@@ -297,6 +304,20 @@ def _said(name: str, goal: object) -> str:
             f'The goal of {name} is {goal!r}; valid: [x, y, z], null for any, or {{"x": [0.35, 0.6]}}.'
         )
     return f"{name} {' '.join(terms)}"
+
+
+def _degrees(quaternion: Sequence[object]) -> float:
+    """Return the heading that an orientation has [degrees], if it is one about the vertical."""
+    if not all(isinstance(part, int | float) for part in quaternion):
+        raise InvalidValue(
+            f"A goal has the orientation {[*quaternion]}; valid: a quaternion of four numbers."
+        )
+    x, y, z, w = (float(str(part)) for part in quaternion)
+    if max(abs(x), abs(y)) > 1e-3 or not abs(math.hypot(z, w) - 1) <= 0.01:
+        raise InvalidValue(
+            f"A goal has the orientation {[*quaternion]}, which is not upright; valid: as [0, 0, 0.26, 0.97]."
+        )
+    return round(math.degrees(2 * math.atan2(z, w)), 1)
 
 
 def as_conditions(goals: Mapping[str, Any], relations: Iterable[Sequence[str]]) -> list[str]:

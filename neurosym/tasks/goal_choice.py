@@ -27,6 +27,7 @@ MOST_OPTIONS = 64
 LEAST_TOLERANCE = 0.01
 """Where bounds leave little room, goals are to be met within this all the same [m]."""
 _ROOM = 0.4  # how far inside of bounds a goal lies, as a share of their width, if not by the tolerance
+_NEAR_TURNED = 0.02  # how near its goal something comes that is turned on the way [m]
 _RING = 8  # spots along each side of an object, where another one may stand next to it
 
 
@@ -37,10 +38,16 @@ class _Need:
     bounds: dict[str, tuple[float, float]] = field(default_factory=dict)
     beside: list[Clause] = field(default_factory=list)  # that name what it is next to, or apart from
     off: set[str] = field(default_factory=set)  # what must not bear it
+    heading: float | None = None  # how it shall be turned [degrees]
 
     def within(self, bounds: conditions.Bounds) -> None:
         """Ask for bounds, too; `InvalidValue` if there is no room in both."""
         for axis, (low, high) in bounds.items():
+            if axis == "heading":
+                if self.heading not in (None, low):
+                    raise InvalidValue(f"It shall be turned by {self.heading:g} and by {low:g} degrees")
+                self.heading = low
+                continue
             before = self.bounds.get(axis, (-math.inf, math.inf))
             low, high = max(low, before[0]), min(high, before[1])
             if low > high:
@@ -57,7 +64,10 @@ def with_goals(problem: Problem, grounding: Grounding) -> Problem:
     """
     if not problem.conditions:
         return problem
-    bare = msgspec.structs.replace(problem, goals={}, relations=())
+    asked = problem.asked_within or problem.tolerance
+    bare = msgspec.structs.replace(
+        problem, goals={}, relations=(), headings={}, tolerance=asked, asked_within=None
+    )
     every = [options_of(text, bare, grounding) for text in problem.conditions]
     sight, found, said = (
         conditions.Sight(bare, grounding),
@@ -103,8 +113,17 @@ class _Choice:
         """Return the problem with goals."""
         relations = tuple((name, other, state) for name, (other, state) in self._over.items())
         goals = {name: self._goal(name, spot) for name, spot in self._spots().items()}
+        headings = {name: need.heading for name, need in self._needs.items() if need.heading is not None}
         tolerance = round(max(min(self._tolerance, self._problem.tolerance), LEAST_TOLERANCE), 4)
-        return msgspec.structs.replace(self._problem, goals=goals, relations=relations, tolerance=tolerance)
+        asked = self._problem.tolerance
+        return msgspec.structs.replace(
+            self._problem,
+            goals=goals,
+            relations=relations,
+            headings=headings,
+            tolerance=tolerance,
+            asked_within=asked if tolerance < asked else None,
+        )
 
     def _chosen(self, clause: Clause) -> list[str]:
         """Name the objects that it shall hold of: those of which it does, and then the nearest."""
@@ -114,6 +133,7 @@ class _Choice:
             off = [
                 max(low - spot["xyz".index(axis)], spot["xyz".index(axis)] - high, 0.0)
                 for axis, (low, high) in clause.bounds.items()
+                if axis != "heading"
             ]
             away = self._sight.gap(name, clause.other) if clause.other else math.hypot(*off)
             is_busy = name in self._over or name in self._needs
@@ -162,6 +182,8 @@ class _Choice:
     def _hand_down(self, name: str) -> None:
         """Ask of what stands on the table below an object for what was asked of that."""
         need, chain = self._needs.pop(name), [name]
+        if need.heading is not None:
+            raise InvalidValue(f"{name} shall be on another object, so its heading cannot be asked for.")
         while (over := self._over.get(chain[-1])) and over[0] not in chain:
             chain.append(over[0])
         if wrong := need.off & {*chain}:
@@ -196,6 +218,8 @@ class _Choice:
         need = self._needs[name]
         clauses = [*need.beside, *(Clause((name,), 1, word="not-on", other=other) for other in need.off)]
         clauses += [Clause((name,), 1, need.bounds)] if need.bounds else []
+        if need.heading is not None and not self._sight.is_headed(name, need.heading):
+            return False
         moves = any(one.other in self._needs and not self._may_stay(one.other) for one in need.beside)
         return not moves and all(self._sight.holds_of(name, one) for one in clauses)
 
@@ -207,15 +231,43 @@ class _Choice:
         low, high = self._inside(need)
         if self._may_stay(name):
             return here
+        if is_to_turn := need.heading is not None and not self._sight.is_headed(name, need.heading):
+            self._check_turns(name)
+            self._tolerance = min(self._tolerance, _NEAR_TURNED)
         free = drawn_spots(size, self._grounding.table)
         spots = np.array([np.clip(here, low, high), *self._beside(name, need, others), *free])
         inside = np.all((spots >= low - 1e-9) & (spots <= high + 1e-9), axis=1)
+        if is_to_turn:  # it is to be carried, so its goal must not be met where it is
+            spots, inside = self._moved_aside(spots, inside, here, need)
         asked = {other: spot for other, spot in others.items() if other in self._needs}
         near = {one.other: others[one.other] for one in need.beside if one.other in others}
         for kept in (others, asked | near):  # what nothing is asked of may be moved out of the way
             if (good := inside & self._has_room(name, need, spots, kept)).any():
-                return np.asarray(spots[good][np.linalg.norm(spots[good] - here, axis=1).argmin()])
+                return np.asarray(spots[good][np.linalg.norm(spots[good] - spots[0], axis=1).argmin()])
         raise InvalidValue(f"There is no room on the table for all that is asked of {name}.")
+
+    def _moved_aside(
+        self,
+        spots: Float[np.ndarray, "N 2"],
+        inside: Bool[np.ndarray, " N"],
+        here: Float[np.ndarray, "2"],
+        need: _Need,
+    ) -> tuple[Float[np.ndarray, "K 2"], Bool[np.ndarray, " K"]]:
+        """Leave spots out where an object is already; beside a point others will do, within the tolerance."""
+        aside = 1.2 * self._tolerance
+        ends = (need.bounds.get(axis, (0.0, 1.0)) for axis in "xy")
+        is_point = all(low == high for low, high in ends)
+        if is_point and aside + self._tolerance <= self._problem.tolerance:
+            angles = np.linspace(0, 2 * np.pi, _RING, endpoint=False)
+            ring = spots[0] + aside * np.column_stack([np.cos(angles), np.sin(angles)])
+            spots, inside = np.vstack([spots, ring]), np.append(inside, np.ones(_RING, dtype=bool))
+        return spots, inside & (np.linalg.norm(spots - here, axis=1) > aside - 1e-6)
+
+    def _check_turns(self, name: str) -> None:
+        if not self._grounding.turned or name not in understand(self._problem, self._grounding).carriers:
+            raise InvalidValue(
+                f"Nothing that was learned carries {name} and turns it on the way; leave its heading out."
+            )
 
     def _has_room(
         self,

@@ -1,0 +1,1 @@
+"""What people ask for: how things lie, and what shall hold of them."""

@@ -1,0 +1,100 @@
+"""Tasks as people bring them: things lie turned, goals are conditions in words, and what has toppled."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
+
+import msgspec
+import numpy as np
+
+from neurosym.evaluation.comparison import Bench
+from neurosym.problems import Problem
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.problem_making import sight_of_pairs
+from neurosym.tasks.goal_choice import with_goals
+from neurosym.tasks.supports import with_pairs
+from neurosym.world import Outcome, Scene, World
+from neurosym.worlds.task_drawing import lying_turned
+from tools.benchmarks.carrying.tasks import far
+
+Draw = Callable[[Bench, DomainFolder, int], Problem]
+FORMS: Mapping[str, str] = {
+    "rectangle": "{a} x=0.55..0.75 y=-0.2..-0.05",
+    "half plane": "{a} y=0.08..",
+    "within reach": "all {kind} within-reach and {a} x=0.7..",
+    "one coordinate": "{a} x=0.7",
+    "heading": "{a} at 0.6,-0.1 and {a} heading=60",
+    "one of several": "{a} at 0.7,0.2 or {b} at 0.6,-0.2",
+    "next to": "{a} next-to {b}",
+    "apart from": "{a} apart-from {b} and {a} y=..0",
+    "under": "{c} under {a}",
+    "not on": "{a} not-on {c} and {a} x=..0.6",
+    "all of a category": "all {kind} x=..0.55",
+    "so many of some": "2 of {a},{b},{d} y=..-0.08",
+    "a point and a relation": "{a} on {c} and {a} at 0.6,0.1",
+}
+"""Conditions of every form: `a`, `b` and `d` can be grasped, `c` is the widest, `kind` that of `a`."""
+OBJECTS = 4
+
+
+def turned(objects: int, bench: Bench, _: DomainFolder, seed: int) -> Problem:
+    """Draw graspable objects that lie at any angle, with goals anywhere, at least 15 cm away."""
+    return lying_turned(far(bench, objects, seed, graspable=True), seed)
+
+
+def headed(bench: Bench, folder: DomainFolder, seed: int) -> Problem:
+    """Draw a graspable object at any angle, that shall come to a point anywhere and be turned there."""
+    drawn, rng = turned(1, bench, folder, seed), np.random.default_rng([seed, 15])
+    ((name, (x, y, _)),) = drawn.goals.items()
+    wanted = f"{name} at {x:.3f},{y:.3f} and {name} heading={rng.integers(-90, 90)}"
+    return with_goals(msgspec.structs.replace(drawn, goals={}, conditions=(wanted,)), bench.setting.grounding)
+
+
+def said(form: str, bench: Bench, folder: DomainFolder, seed: int) -> Problem:
+    """Draw a scene, and ask for something of a form.
+
+    Raises:
+        InvalidValue: If nothing that was learned can bring it about there.
+    """
+    grounding = bench.setting.grounding
+    drawn = far(bench, OBJECTS, seed, graspable=True)
+    names = {item.name: item for item in drawn.objects}
+    widest = max(names, key=lambda name: min(names[name].features[:2]))
+    others = [name for name in names if name != widest]
+    words = dict(zip("abd", others, strict=True)) | {"c": widest, "kind": names[others[0]].category}
+    bare = msgspec.structs.replace(drawn, goals={}, conditions=(FORMS[form].format(**words),))
+    return with_goals(with_pairs(bare, grounding.relations, sight_of_pairs(folder)), grounding)
+
+
+DRAWN: Mapping[str, tuple[Draw, int]] = {
+    "turned, 1 object": (partial(turned, 1), 60),
+    "turned, 4 objects": (partial(turned, 4), 40),
+    "headings": (headed, 60),
+    **{f"form: {form}": (partial(said, form), 5) for form in FORMS},
+}
+"""What is tried, by name, and how many tasks of each."""
+
+
+def set_upright(world: World, seed: int, tries: int) -> dict[str, Any]:
+    """Perform random actions on objects that have toppled, and count how often one stands upright then."""
+    rng, upright, moved = np.random.default_rng([seed, 90]), 0, 0
+    for _ in range(tries):
+        scene = world.sample_scene(rng, 1)
+        x, y = scene.features[0][:2]
+        angle = np.pi / 4  # half of a quarter turn about x, or about y
+        axis = int(rng.integers(2))
+        orientation = np.zeros((1, 4))
+        orientation[0, axis], orientation[0, 3] = np.sin(angle), np.cos(angle)
+        position = scene.positions.copy()
+        position[0, 2] = (y if axis == 0 else x) / 2
+        toppled = Scene(scene.features, position, orientation)
+        outcome = world.interact(toppled, world.action_box.sample(rng, 1)[0], 0)
+        upright += _stands(outcome)
+        moved += bool(np.linalg.norm(outcome.resting_effect) > 0.01)
+    return {"tries": tries, "upright": upright, "moved": moved}
+
+
+def _stands(outcome: Outcome) -> bool:
+    """Say whether the side of an object that was up at first is up again."""
+    x, y, _, _ = outcome.end.orientations[outcome.target]
+    return bool(1 - 2 * (x * x + y * y) > 0.9)
