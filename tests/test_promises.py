@@ -115,3 +115,16 @@ def test_one_feature_that_decides_is_found_among_four(column: int):
     chances = np.array([found.chance(row, TOLERANCE) for row in at])
     assert chances[objects[:, column] > 0.14].max() < 0.3
     assert chances[objects[:, column] < 0.1].min() > 0.7
+
+
+def test_what_lies_turned_is_promised_to_go_that_way():
+    learned, straight = msgspec.structs.replace(rehearsed(), turned=True), block(0.07)
+    turned = msgspec.structs.replace(straight, orientation=(0.0, 0.0, math.sin(0.25), math.cos(0.25)))
+    before, after = (promised(learned, item)[AWAY].promise for item in (straight, turned))
+    assert before is not None
+    assert after is not None
+    far = math.hypot(*before.resting_effect[:2])
+    assert after.resting_effect[:2] == pytest.approx((far * math.cos(0.5), far * math.sin(0.5)), abs=1e-3)
+    assert (after.count, after.near_mean) == (before.count, before.near_mean)
+    elsewhere = msgspec.structs.replace(learned, turned=False)  # in a world that turns nothing
+    assert promised(elsewhere, turned)[AWAY].promise == before

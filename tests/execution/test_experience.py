@@ -1,5 +1,6 @@
 """Experience: an object that was acted upon is believed to do again what it was last seen to do."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -117,3 +118,17 @@ def test_names_of_steps_lead_there_and_back():
         assert learned_name(own) == step
     stranger = PlanStep("push-left-000-tray", "item-02")
     assert believed_name(stranger, believed, learned) == stranger == learned_name(stranger)
+
+
+def test_what_was_seen_of_an_object_that_lay_turned_holds_for_any_angle():
+    """A push to the left of what lies turned by 0.5 rad; it is promised so wherever that points."""
+    learned = replace(grounding(), turned=True)
+    lay = np.array([[0.0, 0.0, math.sin(0.25), math.cos(0.25)]])
+    seen = outcome((-0.07 * math.sin(0.5), 0.07 * math.cos(0.5), 0.0))
+    start = Scene(seen.start.features, seen.start.positions, lay)
+    experience = after(PUSH, dataclasses.replace(seen, start=start), learned=learned)
+    straight = after(PUSH, outcome((0.0, 0.07, 0.0)), learned=learned)
+    for believed in (experience, straight):
+        promise = own(believed, PUSH).promise
+        assert promise is not None
+        assert promise.resting_effect == pytest.approx(own(straight, PUSH).promise.resting_effect, abs=1e-9)

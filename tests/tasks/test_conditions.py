@@ -91,6 +91,20 @@ def test_the_option_that_moves_least_is_taken():
     assert [*asked.goals] == ["item-04"]
 
 
+def test_what_is_to_be_turned_is_carried_to_a_goal_of_its_own():
+    turned = with_goals(scene("item-01 at 0.45,-0.15 and item-01 heading=50"), TOWERS)
+    assert turned.headings == {"item-01": 50.0}
+    assert turned.unmet == ("item-01",)
+    assert (turned.tolerance, turned.asked_within) == (0.02, 0.05)
+    assert np.hypot(*np.subtract(turned.goals["item-01"][:2], (0.45, -0.15))) < 0.03
+    there = with_goals(scene("item-01 heading=170"), TOWERS)
+    assert (there.unmet, there.asked_within) == ((), None)
+    with pytest.raises(InvalidValue, match="Nothing that was learned carries item-01"):
+        with_goals(scene("item-01 heading=50"), msgspec.structs.replace(TOWERS, turned=False))
+    assert is_reached(there, TOWERS)
+    assert not is_reached(turned, TOWERS)
+
+
 def test_little_room_makes_the_tolerance_small():
     asked = with_goals(scene("item-01 x=0.60..0.65"), TOWERS)
     assert asked.tolerance == 0.02
@@ -106,7 +120,9 @@ def test_little_room_makes_the_tolerance_small():
         ("item-01 x=0.5 x=0.6", "says x twice"),
         ("item-01 x=much", "cannot be read; write x=0.4"),
         ("item-01 x=3", "lies off the table; valid: x"),
-        ("item-01 heading=30", "no motion turns what it moves"),
+        ("item-01 heading=1..2", "asks for no heading; valid: a number of degrees"),
+        ("item-01 heading=30 and item-01 heading=60", "shall be turned by 30 and by 60 degrees"),
+        ("item-01 heading=30 and item-01 on item-02", "its heading cannot be asked for"),
         ("5 of 10 y=0..", "asks for 5 of 2 objects; valid: 1 to 2"),
         ("all 11 y=0..", "No object of asked is of the category 11; valid: 01, 10"),
         ("item-01 on item-01", "cannot be on itself"),
