@@ -20,6 +20,7 @@ from neurosym.report.symbol_map import WORDS
 from neurosym.studio import scene_editor, words
 from neurosym.studio.library import Library
 from neurosym.studio.messages import Word
+from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.supports import Borne, carried_along, loads_of
 from neurosym.tasks.task import Task, understand
 
@@ -138,6 +139,15 @@ class Desk:
         self.say(f"goal: {name} {words.relation_in_words(state)[0]} {reference}")
 
     @at_rest
+    def ask(self, text: str) -> None:
+        """Ask for something in words, as `item-01 next-to item-02`; goals for that replace all others."""
+        problem = self._problem()
+        asked = msgspec.structs.replace(self.paired(), conditions=(text.strip(),) if text.strip() else ())
+        chosen = with_goals(asked, self.library.grounding)
+        self._change(msgspec.structs.replace(chosen, pairs=problem.pairs, foreseen=problem.foreseen), "scene")
+        self.say(f"goals for: {text.strip()}" if chosen.conditions else "nothing is asked for in words")
+
+    @at_rest
     def add_goal(self, name: str) -> None:
         """Give an object a goal beside it, towards the middle of the table, to be dragged from there."""
         x, y, _ = self._problem().object_named(name).position
@@ -146,7 +156,7 @@ class Desk:
     @at_rest
     def remove_goal(self, name: str) -> None:
         """Take the goal of an object away, on the table or by relation."""
-        self._change(scene_editor.without_goal(self._problem(), name), "scene")
+        self._change(_by_hand(scene_editor.without_goal(self._problem(), name)), "scene")
 
     @at_rest
     def resize(self, name: str, features: tuple[float, ...]) -> None:
@@ -176,7 +186,7 @@ class Desk:
     def remove(self, name: str) -> None:
         """Take an object away."""
         self._refuse_laden(name)
-        self._change(scene_editor.without_object(self._problem(), name), "scene")
+        self._change(_by_hand(scene_editor.without_object(self._problem(), name)), "scene")
 
     @at_rest
     def rename(self, name: str) -> None:
@@ -239,8 +249,13 @@ class Desk:
 
     def _change_goal(self, name: str, problem: Problem) -> None:
         """Put a problem on the table in which an object has another goal, or one for the first time."""
-        self._change(problem, "place" if name in self.ghosts() else "scene")
+        self._change(_by_hand(problem), "place" if name in self.ghosts() else "scene")
 
     def _change(self, problem: Problem, topic: Topic) -> None:
         self.problem = problem
         self.tell(topic)
+
+
+def _by_hand(problem: Problem) -> Problem:
+    """Return a problem whose goals are by hand, so that no condition is asked for any longer."""
+    return msgspec.structs.replace(problem, conditions=(), headings={}, asked_within=None)

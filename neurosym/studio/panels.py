@@ -91,6 +91,9 @@ class TablePanel(Panel):
         )
         heard(self._relation, self._relate)
         self._related = gui.add_html("")
+        hint = "As item-01 x=0.4..0.6, all 10 y=0.., or item-01 next-to item-02. Goals are chosen for it."
+        self._asked = gui.add_text("What shall hold", "", hint=hint)
+        self.button("Choose goals for that", lambda: session.ask(self._asked.value))
         self._build_sizes()
         self.map = MapField(self.page)
         with gui.add_folder("Objects of each category", expand_by_default=False):
@@ -152,6 +155,7 @@ class TablePanel(Panel):
         set_value(self._tolerance, round(1000 * problem.tolerance, 3))
         self.map.refresh(topics)
         if "scene" in topics:
+            set_value(self._asked, " and ".join(problem.conditions))
             for slider, size in zip(self._sizes, item.features, strict=False):
                 set_value(slider, round(1000 * size))
             kind = next(iter(item.features[len(self._sizes) :]), 0.0)

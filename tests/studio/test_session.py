@@ -291,6 +291,20 @@ def test_goal_by_relation_is_chosen_without_a_mouse_kept_and_removed(stacks):
     assert stacks.problem.relations == ()
 
 
+def test_goals_are_chosen_for_what_is_asked_in_words_and_are_by_hand_once_moved(stacks):
+    stacks.ask("item-01 x=0.7.. and item-02 next-to item-01")
+    assert stacks.word.text == "goals for: item-01 x=0.7.. and item-02 next-to item-01"
+    assert {*stacks.problem.goals} == {"item-01", "item-02"}
+    stacks.ask("item-01 beyond item-02")
+    assert stacks.word.is_bad
+    assert stacks.problem.conditions == ("item-01 x=0.7.. and item-02 next-to item-01",)
+    stacks.aim("item-01", 0.5, 0.1)
+    assert stacks.problem.conditions == ()
+    stacks.ask("item-01 y=0..")
+    stacks.remove("item-01")
+    assert (stacks.problem.conditions, stacks.problem.goals) == ((), {})
+
+
 def test_objects_are_dragged_with_what_they_bear_and_down_from_what_bears_them(stacks):
     stacks.load("sorting")
     stacks.move("item-03", 0.5, -0.1)
