@@ -190,8 +190,8 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
 
     def only(self, name: str) -> "Problem":
         """Return the problem of one object with a goal, without the others."""
-        goals = {name: self.goals[name]}
-        return msgspec.structs.replace(self, objects=(self.object_named(name),), goals=goals)
+        goals, objects = {name: self.goals[name]}, (self.object_named(name),)
+        return msgspec.structs.replace(self, objects=objects, goals=goals, conditions=())
 
     def scene(self) -> Scene:
         """Return the scene that the problem starts from."""

@@ -241,6 +241,7 @@ def plan(
     check_callable("tell", tell or say_nothing, "a function of a text")
     if predict is not None:
         check_callable("predict", predict, "a function from features (M, F) to effects (M, P, 3)")
+    problem = msgspec.structs.replace(problem, conditions=())  # its goals were chosen for these
     chosen = planner_named(planner) if isinstance(planner, str) else planner
     _check_planner(chosen, "given")
     check_options(chosen, encoding=encoding, whole=whole, costs=costs)

@@ -20,6 +20,7 @@ from neurosym.grounding import Grounding
 from neurosym.problems import Problem
 from neurosym.tasks import conditions
 from neurosym.tasks.conditions import Clause, options_of
+from neurosym.tasks.options import Put
 from neurosym.tasks.task import LEAST_GAP, drawn_spots, understand
 
 MOST_OPTIONS = 64
@@ -174,22 +175,39 @@ class _Choice:
             return word
         if self._sight.holds(Clause((name,), 1, word="on", other=other)):
             return self._sight.supports[name].state.name
-        puts = understand(self._problem, self._grounding).puts[name, other]
-        if not puts:
+        if not (puts := self._puts(name, other)):
             raise InvalidValue(f"Nothing that was learned puts {name} on or into {other}.")
-        return max(puts, key=lambda put: (put.chance, put.name)).state.name
+        return puts[-1].state.name
+
+    def _puts(self, name: str, other: str) -> list[Put]:
+        """List what puts an object on or into another one, the surest last."""
+        puts = understand(self._problem, self._grounding).puts[name, other]
+        return sorted(puts, key=lambda put: (put.chance, put.name))
+
+    def _beyond(self, name: str) -> Float[np.ndarray, "2"]:
+        """Return where an object ends over what shall bear it, seen from the middle of that [m]."""
+        other, state = self._over[name]
+        if self._sight.holds(Clause((name,), 1, word="on", other=other)):
+            return np.asarray((self._sight.places[name] - self._sight.places[other])[:2])
+        halves = (self._sight.sizes[name] + self._sight.sizes[other])[:2] / 2
+        ends = [put.end.effect[:2] for put in self._puts(name, other) if put.state.name == state]
+        return np.array(ends[-1]) * halves if ends else np.zeros(2)
 
     def _hand_down(self, name: str) -> None:
         """Ask of what stands on the table below an object for what was asked of that."""
         need, chain = self._needs.pop(name), [name]
         if need.heading is not None:
             raise InvalidValue(f"{name} shall be on another object, so its heading cannot be asked for.")
+        beyond = np.zeros(2)
         while (over := self._over.get(chain[-1])) and over[0] not in chain:
+            beyond += self._beyond(chain[-1])
             chain.append(over[0])
         if wrong := need.off & {*chain}:
             raise InvalidValue(f"{name} shall be on {min(wrong)}, and not on it; ask for one of these.")
         below = self._needs.setdefault(chain[-1], _Need())
-        below.within({axis: ends for axis, ends in need.bounds.items() if axis != "z"})
+        asked = {axis: need.bounds[axis] for axis in "xy" if axis in need.bounds}
+        off = dict(zip("xy", beyond.tolist(), strict=True))
+        below.within({axis: (low - off[axis], high - off[axis]) for axis, (low, high) in asked.items()})
         below.beside += need.beside
 
     # Where things shall stand

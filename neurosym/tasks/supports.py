@@ -23,6 +23,7 @@ from neurosym.pair_operators import (
     describe_pair,
     extent,
     share_with_any,
+    tilt,
 )
 from neurosym.problems import Problem, pair_key
 from neurosym.world import Scene
@@ -139,6 +140,7 @@ def _foreseen(
 
 
 Contacts = tuple[tuple[int, int], ...]
+_LEVEL = 0.1  # what is tilted by less stands on a side, and does not lean [rad]
 _TOUCHING = 0.002  # objects whose boxes are no farther apart are taken to touch, where nobody saw it [m]
 
 
@@ -203,13 +205,17 @@ def bearers_of(
 
     Of two objects that look as if each bore the other, as a box and the ring around it do, the one bears that
     the goals say bears. What lies on the table beside another object is not borne by it, however alike that
-    looks to the encoder. Kinds and states of the pairs are worked out if they are not given.
+    looks to the encoder. Nor is what reaches lower than the other: there it is the other that is borne, as a
+    low thing in a deep box is. Kinds and states of the pairs are worked out if they are not given.
     """
     known, beside = _known_ends(relations), _beside(problem)
     kinds = kinds_of(problem, relations) if kinds is None else kinds
     asked = {(target, reference) for target, reference, _ in problem.relations}
     every = (seen_states(problem, relations) if seen is None else seen).items()
     bears = {names: (state, off) for names, (state, off) in every if state.bears and names not in beside}
+    for names in _lower(problem) & bears.keys():
+        del bears[names]
+        bears.setdefault(names[::-1], _as_borne(problem, relations, *names[::-1]))
     bearing = [
         ((kinds.get(pair_key(*names), ""), state.symbol) not in known, off, names, state)
         for names, (state, off) in bears.items()
@@ -229,6 +235,28 @@ def _beside(problem: Problem) -> set[tuple[str, str]]:
     lies = scene.positions[:, 2] - heights < _TOUCHING
     apart = (_gaps(scene)[..., :2] > 0).any(-1)
     return {(names[one], names[other]) for one, other in np.argwhere(lies[:, None] & apart)}
+
+
+def _lower(problem: Problem) -> set[tuple[str, str]]:
+    """List targets that lie level, each with the references that do not reach as far down."""
+    scene, names = problem.scene(), problem.object_names
+    rows = range(len(scene))
+    lowest = scene.positions[:, 2] - np.array([extent(scene, index)[2] / 2 for index in rows])
+    is_level = np.array([tilt(scene, index) < _LEVEL for index in rows])
+    lower = is_level[:, None] & (lowest[:, None] < lowest - _TOUCHING)
+    return {(names[one], names[other]) for one, other in np.argwhere(lower)}
+
+
+def _as_borne(
+    problem: Problem, relations: RelationOperators, target: str, reference: str
+) -> tuple[PairState, float]:
+    """Return the state that is most like that of a pair of those in which something is borne."""
+    names = problem.object_names
+    pair = names.index(target), names.index(reference)
+    described = tuple(describe_pair(problem.scene(), *pair, touching(problem)).tolist())
+    off = {state.symbol: relations.misfit(described, state) for state in relations.states if state.bears}
+    nearest = min(off, key=lambda symbol: off[symbol])
+    return next(state for state in relations.states if state.symbol == nearest), off[nearest]
 
 
 def known_bearers(problem: Problem, relations: RelationOperators) -> dict[str, Borne]:

@@ -13,7 +13,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.problem_making import sight_of_pairs
 from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.supports import with_pairs
-from neurosym.world import Outcome, Scene, World
+from neurosym.world import Scene, World
 from neurosym.worlds.task_drawing import lying_turned
 from tools.benchmarks.carrying.tasks import far
 
@@ -76,8 +76,11 @@ DRAWN: Mapping[str, tuple[Draw, int]] = {
 
 
 def set_upright(world: World, seed: int, tries: int) -> dict[str, Any]:
-    """Perform random actions on objects that have toppled, and count how often one stands upright then."""
-    rng, upright, moved = np.random.default_rng([seed, 90]), 0, 0
+    """Perform random actions on objects that have toppled, and count how often one stands upright then.
+
+    What does not rest on that side by itself is left out.
+    """
+    rng, upright, moved, rested = np.random.default_rng([seed, 90]), 0, 0, 0
     for _ in range(tries):
         scene = world.sample_scene(rng, 1)
         x, y = scene.features[0][:2]
@@ -89,12 +92,14 @@ def set_upright(world: World, seed: int, tries: int) -> dict[str, Any]:
         position[0, 2] = (y if axis == 0 else x) / 2
         toppled = Scene(scene.features, position, orientation)
         outcome = world.interact(toppled, world.action_box.sample(rng, 1)[0], 0)
-        upright += _stands(outcome)
-        moved += bool(np.linalg.norm(outcome.resting_effect) > 0.01)
-    return {"tries": tries, "upright": upright, "moved": moved}
+        if not _stands(outcome.start):
+            rested += 1
+            upright += _stands(outcome.end)
+            moved += bool(np.linalg.norm(outcome.resting_effect) > 0.01)
+    return {"tries": rested, "upright": upright, "moved": moved}
 
 
-def _stands(outcome: Outcome) -> bool:
-    """Say whether the side of an object that was up at first is up again."""
-    x, y, _, _ = outcome.end.orientations[outcome.target]
+def _stands(scene: Scene) -> bool:
+    """Say whether the side of the only object that was up at first is up."""
+    x, y, _, _ = scene.orientations[0]
     return bool(1 - 2 * (x * x + y * y) > 0.9)
