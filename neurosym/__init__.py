@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from neurosym.primitives.rehearsal import tabulate as tabulate
     from neurosym.problems import Problem as Problem
     from neurosym.problems import SceneObject as SceneObject
+    from neurosym.tasks.goal_choice import with_goals as with_goals
     from neurosym.tasks.transition import PlanStep as PlanStep
     from neurosym.world import ActionBox as ActionBox
     from neurosym.world import Mirror as Mirror
@@ -71,6 +72,7 @@ _PLACES = {
     "neurosym.primitives.distillation": ("distill",),
     "neurosym.primitives.rehearsal": ("Rehearsals", "rehearse", "tabulate"),
     "neurosym.problems": ("Problem", "SceneObject"),
+    "neurosym.tasks.goal_choice": ("with_goals",),
     "neurosym.tasks.transition": ("PlanStep",),
     "neurosym.world": ("ActionBox", "Mirror", "OtherObject", "Outcome", "Place", "Scene", "Table", "World"),
     "neurosym.worlds.own_world": ("check_world",),

@@ -7,6 +7,7 @@ action parameters not waypoints of a hand, nothing is known of what they mean, a
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
+from statistics import median
 
 from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding, is_lift
@@ -27,6 +28,7 @@ AXES = 3
 """Vectors of this many numbers are taken for x, y, z [m]."""
 _WAYPOINT = (False, False, False, True)  # x, y, z and a gripper value
 _OPEN = 0.5
+_TURNED = 5  # so many degrees an outcome turns objects by, at least, to be told of
 _ENDS: dict[str, str] = {
     "resting": "at rest",
     "held": "held",
@@ -130,7 +132,16 @@ def effect_row(operator: Operator, mode: Mode | None, domain: str, *, is_aimed: 
         return EffectRow(*seen, 0.0, "never as it could promise", "", "", domain)
     effect = "elsewhere" if is_aimed and mode.kind != "carried" else _mode_in_words(mode)
     spread = spread_in_words(mode.scatter) if mode.count > 1 else "seen once"
-    return EffectRow(*seen, mode.share, _ENDS[mode.kind], effect, spread, domain)
+    return EffectRow(
+        *seen, mode.share, _ENDS[mode.kind], effect + _turned_in_words(operator, mode), spread, domain
+    )
+
+
+def _turned_in_words(operator: Operator, mode: Mode) -> str:
+    """Say by how much an outcome turns objects, in the median of rehearsals, if it does so at all."""
+    turns = [row.turn for row in operator.rehearsals if row.kind == mode.kind]
+    degrees = math.degrees(median(turns)) if turns else 0.0
+    return f", turned by {degrees:.0f} degrees" if degrees >= _TURNED else ""
 
 
 def _mode_in_words(mode: Mode) -> str:

@@ -1,0 +1,61 @@
+"""What people ask for: forms of goals are drawn and judged, and the page says what was found."""
+
+import json
+
+import pytest
+from places import ROOT
+
+from neurosym.stages.folder import DomainFolder
+from neurosym.tasks.conditions import unmet_conditions
+from tools.benchmarks.asked import evaluate
+from tools.benchmarks.asked.tasks import DRAWN, FORMS, headed, said, turned
+from tools.benchmarks.domains import bench_of
+
+FOUND = {
+    "turned-1-object-0": [{"status": "solved", "blind": {"reached": False}, "replanned": {"reached": True}}],
+    "form-next-to-0": [
+        {"status": "cannot be", "reason": "There is no room."},
+        {"status": "solved", "blind": {"reached": True}, "replanned": {"reached": True}},
+    ],
+    "boxes-0": [{"reached": True, "blind": False}, {"reached": True, "blind": True}],
+    "upright-0": {"tries": 30, "upright": 2, "moved": 20},
+    "upright-1": {"tries": 10, "upright": 0, "moved": 5},
+}
+
+
+def test_found_is_summed_up_and_told():
+    told = evaluate.summarise(FOUND)
+    assert told["turned"] == {"1": 1.0, "4": None}
+    assert (told["goal_forms"], told["boxes"]) == (1, {"blind": 0.5, "replanned": 1.0})
+    assert told["upright"] == {"tries": 40, "upright": 2, "moved": 25}
+    page = evaluate.page(told)
+    assert "| form: next to | 1 | 1 |" in page
+    assert "*form: next to*: There is no room. (1)" in page
+    assert "Of 40 random actions" in page
+
+
+def test_the_page_is_that_of_the_figures():
+    results = ROOT / "docs" / "results"
+    told = json.loads((results / "asked.json").read_text())
+    assert evaluate.page(told) == (results / "asked.md").read_text()
+    assert {*told["kinds"]} == {*DRAWN}
+
+
+@pytest.fixture(scope="module")
+def towers():
+    folder = DomainFolder(ROOT / "domains" / "towers")
+    return bench_of(folder.path), folder
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_every_form_is_asked_for_in_a_drawn_scene(form, towers):
+    drawn = said(form, *towers, 960_001)
+    assert drawn.goals or drawn.relations
+    assert len(drawn.conditions) == 1
+    assert [*unmet_conditions(drawn, towers[0].setting.grounding)] in ([], [*drawn.conditions])
+
+
+def test_things_lie_turned_and_are_to_be_turned(towers):
+    drawn = turned(4, *towers, 960_002)
+    assert sum(abs(item.orientation[2]) > 1e-3 for item in drawn.objects) >= 2  # the others have no room
+    assert [*headed(*towers, 960_003).headings] == ["item-01"]
