@@ -66,11 +66,18 @@ def said(form: str, bench: Bench, folder: DomainFolder, seed: int) -> Problem:
     return with_goals(with_pairs(bare, grounding.relations, sight_of_pairs(folder)), grounding)
 
 
+def all_shapes(bench: Bench, _: DomainFolder, seed: int) -> Problem:
+    """Draw eight objects of all shapes, with goals anywhere."""
+    return far(bench, 8, seed, graspable=False)
+
+
+ALL_SHAPES = "all shapes, 8 objects"
 DRAWN: Mapping[str, tuple[Draw, int]] = {
     "turned, 1 object": (partial(turned, 1), 60),
     "turned, 4 objects": (partial(turned, 4), 40),
     "headings": (headed, 60),
     **{f"form: {form}": (partial(said, form), 5) for form in FORMS},
+    ALL_SHAPES: (all_shapes, 10),
 }
 """What is tried, by name, and how many tasks of each."""
 
