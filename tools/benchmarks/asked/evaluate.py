@@ -24,7 +24,7 @@ from tools.benchmarks.planning.trials import tried
 from tools.benchmarks.relations import protocols, tasks
 from tools.benchmarks.relations.trying import try_all
 from tools.benchmarks.tables import document, share_of, table, tally, with_interval
-from tools.relearn_towers import SEED
+from tools.relearn_places import SEED
 
 PLACES, TOWERS = Path("domains/places"), Path("domains/towers")
 FIRST_TASK = 960_000  # seed of the first task, far from those of other evaluations
