@@ -20,5 +20,5 @@
     (= (along-x m-011c-item-01) 10105) (= (along-y m-011c-item-01) 10252) (= (along-z m-011c-item-01) 10000)
     (= (total-cost) 0) (= (cost m-110-item-01) 12) (= (cost m-010c-item-01) 4) (= (cost m-100c-item-01) 9) (= (cost m-001-item-01) 9) (= (cost m-111-item-01) 4) (= (cost m-011c-item-01) 4)
   )
-  (:goal (and (<= (x item-01) 3832) (>= (x item-01) 2923) (<= (+ (x item-01) (y item-01)) 6385) (>= (+ (x item-01) (y item-01)) 5097) (<= (y item-01) 2818) (>= (y item-01) 1909) (<= (+ (y item-01) 371) (x item-01)) (<= (x item-01) (+ (y item-01) 1658)) (>= (z item-01) 0) (<= (z item-01) 0)))
+  (:goal (and (<= (x item-01) 3832) (>= (x item-01) 2922) (<= (+ (x item-01) (y item-01)) 6384) (>= (+ (x item-01) (y item-01)) 5097) (<= (y item-01) 2818) (>= (y item-01) 1909) (<= (+ (y item-01) 370) (x item-01)) (<= (x item-01) (+ (y item-01) 1657)) (>= (z item-01) 0) (<= (z item-01) 0)))
   (:metric minimize (total-cost)))

@@ -37,5 +37,5 @@
     (= (along-x m-110b-item-01) 9609) (= (along-y m-110b-item-01) 9248) (= (along-z m-110b-item-01) 10000)
     (= (total-cost) 0) (= (cost m-000-item-01) 4) (= (cost m-000-down-item-01) 0) (= (cost m-000b-item-01) 4) (= (cost m-000b-down-item-01) 0) (= (cost m-100b-item-01) 4) (= (cost m-100b-down-item-01) 0) (= (cost m-101a-item-01) 4) (= (cost m-101a-down-item-01) 0) (= (cost m-010b-item-01) 4) (= (cost m-111b-item-01) 4) (= (cost m-011b-item-01) 4) (= (cost m-001b-item-01) 4) (= (cost m-100-push-item-01) 64) (= (cost m-101-push-item-01) 117) (= (cost m-110b-item-01) 4)
   )
-  (:goal (and (<= (x item-01) 4711) (>= (x item-01) 3801) (<= (+ (x item-01) (y item-01)) 8852) (>= (+ (x item-01) (y item-01)) 7565) (<= (y item-01) 4408) (>= (y item-01) 3498) (<= (y item-01) (+ (x item-01) 341)) (<= (x item-01) (+ (y item-01) 946)) (>= (z item-01) 0) (<= (z item-01) 0)))
+  (:goal (and (<= (x item-01) 4710) (>= (x item-01) 3801) (<= (+ (x item-01) (y item-01)) 8852) (>= (+ (x item-01) (y item-01)) 7565) (<= (y item-01) 4408) (>= (y item-01) 3498) (<= (y item-01) (+ (x item-01) 341)) (<= (x item-01) (+ (y item-01) 946)) (>= (z item-01) 0) (<= (z item-01) 0)))
   (:metric minimize (total-cost)))

@@ -44,5 +44,5 @@
     (= (along-x m-110b-item-01) 9644) (= (along-y m-110b-item-01) 9130) (= (along-z m-110b-item-01) 10000)
     (= (total-cost) 0) (= (cost m-000-item-01) 4) (= (cost m-000-down-item-01) 0) (= (cost m-000b-item-01) 4) (= (cost m-000b-down-item-01) 0) (= (cost m-100-item-01) 84) (= (cost m-100-down-item-01) 0) (= (cost m-100b-item-01) 4) (= (cost m-100b-down-item-01) 0) (= (cost m-101-item-01) 11) (= (cost m-101-down-item-01) 0) (= (cost m-101a-item-01) 4) (= (cost m-101a-down-item-01) 0) (= (cost m-010b-item-01) 4) (= (cost m-111b-item-01) 4) (= (cost m-011b-item-01) 4) (= (cost m-001b-item-01) 4) (= (cost m-100-push-item-01) 64) (= (cost m-110b-item-01) 4)
   )
-  (:goal (and (<= (x item-01) 2748) (>= (x item-01) 1908) (<= (+ (x item-01) (y item-01)) 5627) (>= (+ (x item-01) (y item-01)) 4439) (<= (y item-01) 3125) (>= (y item-01) 2285) (<= (y item-01) (+ (x item-01) 971)) (<= (x item-01) (+ (y item-01) 218)) (>= (z item-01) 1978) (<= (z item-01) 2190)))
+  (:goal (and (<= (x item-01) 2740) (>= (x item-01) 1901) (<= (+ (x item-01) (y item-01)) 5619) (>= (+ (x item-01) (y item-01)) 4432) (<= (y item-01) 3125) (>= (y item-01) 2285) (<= (y item-01) (+ (x item-01) 978)) (<= (x item-01) (+ (y item-01) 210)) (>= (z item-01) 1978) (<= (z item-01) 2190)))
   (:metric minimize (total-cost)))

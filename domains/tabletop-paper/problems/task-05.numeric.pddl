@@ -22,5 +22,5 @@
     (= (along-x m-011c-item-01) 10145) (= (along-y m-011c-item-01) 10601) (= (along-z m-011c-item-01) 10000)
     (= (total-cost) 0) (= (cost m-110-item-01) 4) (= (cost m-010c-item-01) 4) (= (cost m-100c-item-01) 12) (= (cost m-001-item-01) 9) (= (cost m-000c-item-01) 63) (= (cost m-101-item-01) 63) (= (cost m-111-item-01) 4) (= (cost m-011c-item-01) 4)
   )
-  (:goal (and (<= (x item-01) 3164) (>= (x item-01) 3165) (<= (+ (x item-01) (y item-01)) 6913) (>= (+ (x item-01) (y item-01)) 6914) (<= (y item-01) 3749) (>= (y item-01) 3750) (<= (y item-01) (+ (x item-01) 584)) (<= (+ (x item-01) 585) (y item-01)) (>= (z item-01) 1) (<= (z item-01) 1)))
+  (:goal (and (<= (x item-01) 3163) (>= (x item-01) 3164) (<= (+ (x item-01) (y item-01)) 6912) (>= (+ (x item-01) (y item-01)) 6913) (<= (y item-01) 3748) (>= (y item-01) 3749) (<= (y item-01) (+ (x item-01) 585)) (<= (+ (x item-01) 586) (y item-01)) (>= (z item-01) 1) (<= (z item-01) 1)))
   (:metric minimize (total-cost)))

@@ -26,5 +26,5 @@
     (= (along-x m-1100-item-01) 9999) (= (along-y m-1100-item-01) 9486) (= (along-z m-1100-item-01) 10000)
     (= (total-cost) 0) (= (cost m-0100a-item-01) 14) (= (cost m-0110a-item-01) 4) (= (cost m-0111a-item-01) 4) (= (cost m-1111a-item-01) 4) (= (cost m-0000a-item-01) 97) (= (cost m-1011-item-01) 17) (= (cost m-1011a-item-01) 14) (= (cost m-0001a-item-01) 7) (= (cost m-1001-item-01) 4) (= (cost m-0010a-item-01) 4) (= (cost m-0011a-item-01) 4) (= (cost m-1100-item-01) 10)
   )
-  (:goal (and (<= (x item-01) 3832) (>= (x item-01) 2923) (<= (+ (x item-01) (y item-01)) 6385) (>= (+ (x item-01) (y item-01)) 5097) (<= (y item-01) 2818) (>= (y item-01) 1909) (<= (+ (y item-01) 371) (x item-01)) (<= (x item-01) (+ (y item-01) 1658)) (>= (z item-01) 0) (<= (z item-01) 0)))
+  (:goal (and (<= (x item-01) 3832) (>= (x item-01) 2922) (<= (+ (x item-01) (y item-01)) 6384) (>= (+ (x item-01) (y item-01)) 5097) (<= (y item-01) 2818) (>= (y item-01) 1909) (<= (+ (y item-01) 370) (x item-01)) (<= (x item-01) (+ (y item-01) 1657)) (>= (z item-01) 0) (<= (z item-01) 0)))
   (:metric minimize (total-cost)))
