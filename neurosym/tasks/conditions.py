@@ -170,6 +170,8 @@ def _bounds(terms: Sequence[str], text: str, table: Table) -> Bounds:
             ) from None
         if axis in found:
             raise InvalidValue(f"{text!r} says {axis} twice; say it once.")
+        if dots and not (low or high):
+            raise InvalidValue(f"{text!r} has no bound along {axis}; valid: {axis}=0.4.., ..0.6 or 0.4..0.6.")
         if not least <= most or (dots and least == most) or math.isnan(least + most):
             raise InvalidValue(f"{text!r} leaves no room along {axis}; give the lower bound first.")
         if axis == "heading" and (dots or not abs(least) <= 360):

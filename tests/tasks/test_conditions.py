@@ -106,6 +106,8 @@ def test_what_is_to_be_turned_is_carried_to_a_goal_of_its_own():
 
 
 def test_little_room_makes_the_tolerance_small():
+    narrow = msgspec.structs.replace(scene("item-01 x=0.6"), tolerance=0.001)
+    assert with_goals(narrow, TOWERS).tolerance == 0.001
     asked = with_goals(scene("item-01 x=0.60..0.65"), TOWERS)
     assert asked.tolerance == 0.02
     assert asked.goals["item-01"][0] == pytest.approx(0.625, abs=0.006)
@@ -117,6 +119,7 @@ def test_little_room_makes_the_tolerance_small():
         ("item-01", "says nothing of item-01; valid: x=LOW..HIGH"),
         ("item-01 near", "cannot be read"),
         ("item-01 x=0.6..0.4", "leaves no room along x"),
+        ("item-01 x=..", "has no bound along x; valid: x=0.4"),
         ("item-01 x=0.5 x=0.6", "says x twice"),
         ("item-01 x=much", "cannot be read; write x=0.4"),
         ("item-01 x=3", "lies off the table; valid: x"),

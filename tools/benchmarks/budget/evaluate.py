@@ -51,6 +51,7 @@ _OF_PAIRS = (
     layout.RELATION_CHANCES,
     layout.RELATION_STATES,
     layout.RELATION_OPERATORS,
+    layout.PLACE_OPERATORS,
 )
 _OBJECTS = 30  # of each category, that stages rehearse each symbol on
 _ENOUGH_FOR_FOUR_BITS = 4000
