@@ -115,8 +115,8 @@ class _Choice:
         relations = tuple((name, other, state) for name, (other, state) in self._over.items())
         goals = {name: self._goal(name, spot) for name, spot in self._spots().items()}
         headings = {name: need.heading for name, need in self._needs.items() if need.heading is not None}
-        tolerance = round(max(min(self._tolerance, self._problem.tolerance), LEAST_TOLERANCE), 4)
         asked = self._problem.tolerance
+        tolerance = min(max(round(self._tolerance, 4), LEAST_TOLERANCE), asked)
         return msgspec.structs.replace(
             self._problem,
             goals=goals,
