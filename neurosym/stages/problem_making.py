@@ -270,17 +270,21 @@ def _scene_in(file: Path, grounding: Grounding) -> Problem:
     """Read a scene whose goals may be conditions, or written as people write them; see `conditions_in`."""
 
     def changed(raw: dict[str, Any]) -> dict[str, Any]:
+        raw = {"goals": {}} | raw if raw.get("conditions") else raw
         try:
             points, said = conditions_in(raw.get("goals") or {})
         except InvalidValue as error:
             raise InvalidFile(file, str(error).rstrip(".")) from error
-        relations = [one for one in raw.get("relations") or () if isinstance(one, list) and len(one) == 3]
+        lists = [raw.get(name, []) for name in ("relations", "conditions")] + [*points.values()]
+        if not all(isinstance(one, list) for one in lists):
+            return raw | {"goals": points}  # which is refused, with the field that is wrong
+        relations = [one for one in raw.get("relations", ()) if isinstance(one, list) and len(one) == 3]
         is_plain = not any(
             target in points or _bears_nothing(state, grounding) for target, _, state in relations
         )
         if not said and (is_plain or raw.get("conditions")):
             return raw
-        told = [*said, *as_conditions(points, relations), *(raw.get("conditions") or ())]
+        told = [*said, *as_conditions(points, relations), *raw.get("conditions", ())]
         return raw | {"goals": {}, "relations": [], "conditions": told}
 
     problem = Problem.load(file, changed)

@@ -179,6 +179,30 @@ def test_a_condition_is_planned_and_judged(tmp_path, capsys):
     assert {**again, "name": "", "provenance": ""} == {**written, "name": "", "provenance": ""}
 
 
+@pytest.mark.parametrize(
+    ("scene_part", "said"),
+    [
+        ({"conditions": ["item-01 x=0.7"]}, ""),
+        ({"goals": {"item-01": [0.7, None, 0.02]}, "relations": 5}, "Expected `array`, got `int`"),
+        (
+            {"goals": {"item-01": [0.7, None, 0.02]}, "conditions": "item-01 y=0"},
+            "Expected `array`, got `str`",
+        ),
+        ({"goals": {"item-01": {"x": [0.5, 0.6]}, "item-02": 3}}, "got"),
+        ({"goals": {"item-01": {"x": [0.6, 0.5]}}}, "leaves no room along x"),
+    ],
+)
+def test_scenes_say_conditions_as_people_write_them_or_are_refused(tmp_path, capsys, scene_part, said):
+    folder, file = tmp_path / "places", tmp_path / "mine.json"
+    shutil.copytree(ROOT / "domains" / "places", folder, ignore=shutil.ignore_patterns("runs", "plans"))
+    whole = msgspec.to_builtins(scene())
+    file.write_text(json.dumps({"name": "mine", "objects": whole["objects"]} | scene_part))
+    code = call(["new-problem", str(folder), "--scene", str(file)])
+    err = capsys.readouterr().err
+    assert (code, len(err.splitlines())) == ((2, 1) if said else (0, 0))
+    assert said in err
+
+
 def load_problem_of(folder) -> Problem:
     from neurosym.stages.folder import DomainFolder
 
