@@ -129,6 +129,7 @@ SEEDS = (-1, 1.5, "0", None, True)
 COUNTS = (0, -3, 2.5, "many", None)
 LENGTHS = (0.0, -0.1, NAN, INF, "5 mm", None)
 NOTHING = (3, None)
+with_goals = usually(ns.with_goals, problem=PROBLEM, grounding=GROUNDING)
 WAYS = (([0], [0]), ((2,), (0,)), ((0,), (3,)), ((), (0,)), ((0, 0), (0,)), ("0", "0"), (0, 0))
 SIDES = (((0.0, 1.0), (1.0, 0.0)), ((0.0, NAN), (0.0, 1.0)), (1.0, 2.0), ((0.0, 1.0), None), ("ab", "cd"))
 MISSING = ("nowhere.json", Path("nowhere.json"))
@@ -145,6 +146,13 @@ CALLS = [
     *named((0, -1.0, NAN, "soon"), "time_limit", plan),
     *named(NOTHING, "name", draw, draw_task, compile_domain, item),
     *each(("heap", 3, None, ["row"]), "kind of task", lambda kind: draw_task(kind=kind), CHOICE),
+    *named(NOTHING, "problem", with_goals),
+    *named(NOTHING, "grounding", with_goals),
+    *each(
+        ("", "item-01", "item-01 x=5", "2 of item-01 x=0.5"),
+        "valid",
+        lambda text: with_goals(problem(conditions=(text,))),
+    ),
     # worlds
     *each((3, "toy", TOY), "factory of worlds", explore),
     *each((dict, lambda: None, lambda: ITEM), "is no World", explore, WORLD),

@@ -14,7 +14,7 @@ from itertools import islice, product
 import msgspec
 import numpy as np
 
-from neurosym.checks import Bool, Float
+from neurosym.checks import Bool, Float, check_kind
 from neurosym.errors import InvalidValue
 from neurosym.grounding import Grounding
 from neurosym.problems import Problem
@@ -63,6 +63,8 @@ def with_goals(problem: Problem, grounding: Grounding) -> Problem:
         InvalidValue: If a condition cannot be read, or nothing is found that meets all of them.
         UnknownChoice: If one names what there is not.
     """
+    check_kind("problem", problem, Problem, "a Problem")
+    check_kind("grounding", grounding, Grounding, "a Grounding")
     if not problem.conditions:
         return problem
     asked = problem.asked_within or problem.tolerance

@@ -115,7 +115,7 @@ def test_of_two_that_look_as_if_each_bore_the_other_the_one_bears_that_goals_ask
     _, lying, miss = learned.operators
     around = replace(miss, outcomes=lying.outcomes)  # trays are put around cubes, too
     known = replace(learned, operators=(*learned.operators[:2], around))
-    objects = scene(("tray", 0.7, 0.0), ("cube", 0.7, 0.0, 0.005))
+    objects = scene(("tray", 0.7, 0.0), ("cube", 0.7, 0.0, 0.001))
     problem = with_pairs(Problem("mutual", objects, {}, relations=((target, reference, LIE),)), known)
     assert {name: one.by for name, one in bearers_of(problem, known).items()} == {target: reference}
 
