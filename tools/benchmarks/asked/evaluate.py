@@ -167,7 +167,8 @@ def page(found: Mapping[str, Any]) -> str:
         "By `make evaluate-asked`, which wrote this page and `asked.json`, with the shipped domains. Goals "
         "within 50 mm, headings within 15 degrees. Objects of the first three rows can be grasped, and lie "
         "at any angle; of four, each that has room for it, which are two of three. Forms of goals "
-        "are asked for among four objects in `domains/towers`, where relations are tried, too; geometry says what came out of these.",
+        "are asked for among four objects in `domains/towers`, where relations are tried, too; geometry says "
+        "what came out of these.",
         table("what | tasks | planned | followed blindly | replanned", rows),
         "Left out, since nothing that was learned brings it about in that scene:" if never else "",
         "\n".join(f"- {line}" for line in never),
