@@ -91,15 +91,16 @@ class TablePanel(Panel):
         )
         heard(self._relation, self._relate)
         self._related = gui.add_html("")
-        hint = "As item-01 x=0.4..0.6, all 10 y=0.., or item-01 next-to item-02. Goals are chosen for it."
-        self._asked = gui.add_text("What shall hold", "", hint=hint)
-        self.button("Choose goals for that", lambda: session.ask(self._asked.value))
         self._build_sizes()
         self.map = MapField(self.page)
         with gui.add_folder("Objects of each category", expand_by_default=False):
             gui.add_html("").content = of_each(self.page)
         self.button("Add another like it", self._add)
         self.button("Take it away", lambda: session.remove(self.page.selected))
+        with gui.add_folder("Ask in words", expand_by_default=False):
+            hint = "As item-01 x=0.4..0.6, all 10 y=0.., or item-01 next-to item-02. Goals are chosen for it."
+            self._asked = gui.add_text("What shall hold", "", hint=hint)
+            self.button("Choose goals for that", lambda: session.ask(self._asked.value))
         with gui.add_folder("Draw a task", expand_by_default=False):
             kinds = get_args(DrawnTask if has_relations else TaskKind)
             self._kind = gui.add_dropdown("Kind", (_PAPER, *kinds))
