@@ -90,7 +90,8 @@ def sections(folder: DomainFolder) -> list[str]:
         "`tools/relearn_towers.py` writes this file. Nothing in this folder is edited by hand, and no "
         "problem was removed.",
         "## How it was made",
-        f"`python -m tools.relearn_towers`, that is `{command}` and then its problems. Minutes on 2 cores:",
+        f"`python -m tools.relearn_towers`, that is `{command}` and then its problems. Minutes on 2 cores, "
+        "without what a run that was interrupted had performed before:",
         stages_table(folder, (*names, STAGES[3])),
         "## States of pairs",
         "How a target stands to a reference. *Away* and *above* are distances in sums of half sizes: at 1 "

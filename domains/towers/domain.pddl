@@ -38,13 +38,10 @@
 ;   110  91%  97%  6%   72%
 ;   111  78%  97%  36%  97%
 ; Symbols of putting on or in others: for how many learned kinds of pairs, and how often.
-;   000  rests-on-011 5, 28% to 97%, sits-in-111 4, 6% to 19%
-;   001  rests-on-011 7, 56% to 94%, sits-in-111 2, 6%
-;   010  rests-on-011 1, 62%
-;   100  rests-on-011 35, 12% to 97%, sits-in-111 25, 6% to 91%
-;   101  rests-on-011 3, 56% to 81%, sits-in-111 1, 6%
-;   110  rests-on-011 17, 31% to 88%, sits-in-111 9, 6% to 34%
-;   111  rests-on-011 5, 9% to 56%, sits-in-111 2, 6% to 9%
+;   010  rests-on-011 18, 14% to 95%, sits-in-111 13, 7% to 86%
+;   100  rests-on-011 4, 28% to 91%, sits-in-111 3, 10% to 72%
+;   110  rests-on-011 14, 13% to 97%, sits-in-111 11, 7% to 95%
+;   111  rests-on-011 26, 6% to 97%, sits-in-111 20, 6% to 94%
 (define (domain towers)
   (:requirements :strips :typing :action-costs)
   (:types

@@ -9,11 +9,21 @@ import msgspec
 import numpy as np
 
 from neurosym.errors import InvalidValue, InvalidWorld
-from neurosym.execution.record import Nudge, Replanning, Run, StepRecord, own_steps, record_step, seen_now
+from neurosym.execution.record import (
+    Nudge,
+    Replanning,
+    Run,
+    StepRecord,
+    as_it_shows,
+    own_steps,
+    record_step,
+    seen_now,
+)
 from neurosym.grounding import Grounding
 from neurosym.operators import vector
 from neurosym.pair_operators import extent
 from neurosym.problems import Problem, RelationGoal
+from neurosym.tasks.promises import performed_with
 from neurosym.tasks.supports import Contacts, touching
 from neurosym.tasks.task import GOAL, PARK, is_reached, unmet_relations, with_places
 from neurosym.tasks.transition import PlanStep, check_aims
@@ -105,8 +115,12 @@ def perform(
     The problem says what objects are called, and where pictures show their goals. A step may be aimed at a
     reference besides its object.
     """
-    action = np.array(grounding.primitive_of(grounding.operator_named(step.operator)).action)
     target, ghosts = problem.object_names.index(step.object), problem.goal_positions()
+    lying = msgspec.structs.replace(
+        problem.objects[target], orientation=tuple(scene.orientations[target].tolist())
+    )
+    operator = grounding.operator_named(step.operator)
+    action = performed_with(grounding, operator, as_it_shows(lying, grounding))
     try:
         aim = relative_to(world, reference)
         return world.interact(

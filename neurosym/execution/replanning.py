@@ -19,7 +19,7 @@ from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem, SceneObject, pair_key
 from neurosym.tasks.options import PUT_DOWN, put_named
 from neurosym.tasks.promises import LEAST_CHANCE, promised
-from neurosym.tasks.task import is_reached, is_relational, understand
+from neurosym.tasks.task import is_reached, is_relational, understand, unmet_relations
 from neurosym.tasks.transition import PlanStep, Replay, primitives, validate
 from neurosym.world import Outcome, OutcomeKind, heading, turned_by
 
@@ -32,7 +32,8 @@ from neurosym.world import Outcome, OutcomeKind, heading, turned_by
 # weighed by how sure it is; the chance of an outcome counts what came and what did not. After two failures
 # in a row, or one that was likely, an operator promises what was seen in place of what did not come, and is
 # not tried again the same way. What failed with a pair twice in a row is not tried with it again, unless
-# there is no plan without, and then twice more; another operator for the same is tried in its place.
+# there is no plan without, and then twice more; once is enough where it was only faintly foreseen. Another
+# operator for the same is tried in its place.
 
 KNOWN_BEFORE, KNOWN_IN_A_CROWD = 0.5, 2.0
 """As how many trials what was known before counts beside those that were seen.
@@ -96,7 +97,7 @@ class Experience:
         if operator.frame == "pair":
             put = put_named(step.operator, self.grounding)
             kept = put is not None and ended_in(outcome, self.grounding) == put.state
-            self._kept.setdefault((pair_key(step.object, step.place), step.operator), []).append(kept)
+            self._kept.setdefault((pair_key(step.object, step.place), _way(operator)), []).append(kept)
         else:
             seen = self._seen_from(outcome, operator)
             self._seen.setdefault((step.object, _label(operator)), []).append(seen)
@@ -128,9 +129,12 @@ class Experience:
                 categories.append(msgspec.structs.replace(learned, symbol=own, name=name, objects=()))
                 operators += self._operators_of(item, own, problem.tolerance)
         foreseen, most = {pair: dict(shares) for pair, shares in problem.foreseen.items()}, self._patience
-        for (pair, label), kept in self._kept.items():
-            if len(kept) >= most and not any(kept[-most:]):
-                foreseen.setdefault(pair, {})[label] = 0.0
+        every = self.grounding.relations.every_operator if self.grounding.relations else ()
+        for (pair, way), kept in self._kept.items():
+            shares, names = foreseen.setdefault(pair, {}), [one.name for one in every if _way(one) == way]
+            is_faint = max((shares[name] for name in names if name in shares), default=1.0) < LEAST_CHANCE
+            if not any(kept[-most:]) and (is_faint or len(kept) >= most):
+                shares |= dict.fromkeys(names, 0.0)
         problem = msgspec.structs.replace(problem, objects=tuple(objects), foreseen=foreseen, conditions=())
         return problem, self._with(categories, operators) if categories else self.grounding
 
@@ -209,6 +213,11 @@ def believed_name(step: PlanStep, problem: Problem, grounding: Grounding) -> Pla
             prefix = PUT_DOWN if step.puts_down else ""
             return dataclasses.replace(step, operator=prefix + operator.name)
     return step
+
+
+def _way(operator: Operator) -> str:
+    """Return which motion an operator on pairs is, and for what, whatever kind of pairs it is for."""
+    return f"{operator.promise.kind if operator.promise else ''} {operator.label}"
 
 
 def _label(operator: Operator) -> str:
@@ -368,9 +377,16 @@ def new_plan(
 
 
 def _for_fewer(problem: Problem, experience: Experience) -> Iterator[Problem]:
-    """List problems with fewer goals: all that can be carried to, and then those met now and one more."""
+    """List problems with fewer goals: all that can be carried to, and then those met now and one more.
+
+    Of goals by relation one is left out whose objects no other one names, so that it is tried again at last.
+    """
     believed, grounding = experience.believed(problem)
     if is_relational(believed, grounding):
+        for alone in unmet_relations(problem, experience.grounding):
+            others = tuple(one for one in problem.relations if one != alone)
+            if others and not {*alone[:2]} & {name for one in others for name in one[:2]}:
+                yield msgspec.structs.replace(problem, relations=others)
         return
     carried = [name for name in understand(believed, grounding).carried if name in problem.goals]
     missed = sorted(problem.unmet, key=lambda name: (name not in carried, name))

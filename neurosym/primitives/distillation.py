@@ -102,6 +102,13 @@ def code_errors(
     return np.asarray(((model.action_codes(actions) - targets) ** 2).mean(1), dtype=np.float64)
 
 
+def encoded(model: EffectModel, actions: Float[np.ndarray, "N A"]) -> tuple[Primitive, ...]:
+    """Return actions as primitives of the symbols that they have by themselves."""
+    symbols = np.array(model.action_symbols(actions))
+    rows = zip(symbols.tolist(), actions.tolist(), code_errors(model, actions, symbols).tolist(), strict=True)
+    return tuple(Primitive(symbol, tuple(action), error) for symbol, action, error in rows)
+
+
 def _descend(
     model: EffectModel,
     begin: Float[np.ndarray, "N A"],

@@ -4,9 +4,9 @@
 * **Places**: every category gets of each symbol the action that carries its objects most surely and exactly
   to the place. Auditions are among neighbours, lest an action be chosen that drags the object through them.
   Rehearsals among others say how surely they are left alone, and whether a place must be free.
-* **Pairs**: every kind of pair gets what most surely brings it into some state (`pair_audition.py`),
-  auditioned and rehearsed among bystanders. More rehearsals begin as others ended. They show whether it
-  matters that the target rests on something, that something rests on it, or on the reference.
+* **Pairs**: every kind of pair gets what carries its targets to places (`pair_rehearsal.py`), rehearsed among
+  bystanders. More rehearsals begin as others ended. They show whether it matters that the target rests on
+  something, that something rests on it, or on the reference.
 """
 
 from collections.abc import Callable, Sequence
@@ -35,7 +35,7 @@ from neurosym.pair_operators import PairStates, RelationOperators
 from neurosym.primitives.audition import choose, choose_among, choose_own
 from neurosym.primitives.distillation import distill
 from neurosym.primitives.ledger import Ledger
-from neurosym.primitives.pair_audition import choose_for_pairs, rehearse_among, tabulate_pairs
+from neurosym.primitives.pair_rehearsal import Carriers, carriers_for_pairs, rehearse_among, tabulate_pairs
 from neurosym.primitives.rehearsal import (
     MARGIN,
     Rehearsals,
@@ -61,11 +61,13 @@ class Method:
         adapt: Has every action in a world aimed so.
         choose: Chooses among the candidates.
         measure: Tells from the rehearsals of what was chosen what each operator does; rehearses it further.
+        distils: Whether candidates are distilled, or known from elsewhere.
     """
 
     adapt: Callable[[WorldFactory], WorldFactory]
     choose: Callable[[Search], Repertoire]
     measure: Callable[[Search, Rehearsals], Any]
+    distils: bool = True
 
 
 class NothingDistilled(InvalidValue):
@@ -110,8 +112,9 @@ def find_operators(
         UnknownChoice: If the method has a choice that there is not.
     """
     chosen_before = tuple(msgspec.structs.replace(one, variant="") for one in former)
+    candidates = _candidates(model, interactions, box, seed, open_bar) if method.distils else ()
     search = Search(
-        tuple(dict.fromkeys((*chosen_before, *_candidates(model, interactions, box, seed, open_bar)))),
+        tuple(dict.fromkeys((*chosen_before, *candidates))),
         predict,
         interactions.features,
         categorise or model.object_symbols,
@@ -238,20 +241,20 @@ CARRYING = Method(
 place [m], the chance that they are carried, and greatest heights [m]."""
 
 
-def relating(states: PairStates) -> Method:
+def relating(states: PairStates, carriers: Carriers) -> Method:
     """Return how operators are found that bring pairs into states.
-
-    What predicts foresees the chances of the states that bear, in their order, give or take.
 
     Args:
         states: The states of pairs.
+        carriers: What carries objects.
     """
 
     def measure(search: Search, found: Rehearsals) -> RelationOperators:
         names = made(search.world_factory).feature_names
-        return rehearse_among(search, tabulate_pairs(found, names, states), found)
+        return rehearse_among(search, tabulate_pairs(found, names, states), found, carriers)
 
-    return Method(RelatedFactory, partial(choose_for_pairs, states=states), measure)
+    choose = partial(carriers_for_pairs, carriers=carriers)
+    return Method(partial(RelatedFactory, aim=carriers), choose, measure, distils=False)
 
 
 def average(

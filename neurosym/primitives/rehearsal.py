@@ -160,8 +160,10 @@ def rehearse(
     usual = max(primitives.times.values(), default=len(drawn))
     served = [
         [
-            primitives.serves(one, symbol) and place < primitives.times.get((symbol, one.label), usual)
-            for (symbol, _), place in zip(drawn, places, strict=True)
+            primitives.serves(one, symbol)
+            and place < primitives.times.get((symbol, one.label), usual)
+            and primitives.fits(one, scene)
+            for (symbol, scene), place in zip(drawn, places, strict=True)
         ]
         for one in given
     ]

@@ -16,7 +16,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.operators import PROMISING, Effect, Symbol
-from neurosym.pair_operators import PairStates, describe_pair, touching_units
+from neurosym.pair_operators import PairStates, describe_pair
 from neurosym.world import OtherObject, Outcome, OutcomeKind
 
 # Variety: of the candidates for each symbol, take those that together do most.
@@ -117,7 +117,6 @@ def _improve(chosen: list[int], groups: Sequence[Sequence[int]], effects: Candid
 
 EXACT = 0.015
 """A spread at which an action is still 1 / sqrt(2) as sure as one without any [m]."""
-_EXACT_PAIR = 0.5  # the same of ends relative to another object [touching units]
 TURNED = math.radians(15)
 """By how much an object may be turned without that it counts [rad]."""
 
@@ -132,7 +131,6 @@ class Performance:
         peak_height: Its greatest height on the way [m].
         turn: By what angle it was turned in the end [rad].
         disturbs: Whether another object was moved.
-        state: How it stands in the end to what the action was aimed at, if that is asked for.
     """
 
     kind: OutcomeKind
@@ -140,7 +138,6 @@ class Performance:
     peak_height: float
     turn: float
     disturbs: bool = False
-    state: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -233,28 +230,9 @@ def likeness(outcomes: Float[np.ndarray, "N E"], exact: float = EXACT) -> float:
     return 1 / math.sqrt(1 + variance / exact**2)
 
 
-def watch(outcome: Outcome, states: PairStates) -> Performance:
-    """Say of an outcome what is judged."""
-    state = found if (found := end_state(outcome, states)) in states.bearing else ""
-    assert isinstance(outcome.reference, OtherObject), "aimed at another object"
-    where = touching_units(outcome.end, outcome.target, outcome.reference.index)
-    kind: OutcomeKind = "carried" if state else "missed"
-    return Performance(
-        kind, tuple(where.tolist()), outcome.peak_height, outcome.turn, bool(outcome.disturbed), state
-    )
-
-
 def end_state(outcome: Outcome, states: PairStates) -> str:
     """Return the code of the state that a pair ended in; empty if the target was not carried there."""
     if not outcome.carried or outcome.lost or not isinstance(outcome.reference, OtherObject):
         return ""
     described = describe_pair(outcome.end, outcome.target, outcome.reference.index, outcome.contacts)
     return states.of(described.tolist()).symbol
-
-
-def sureness(performances: Sequence[Performance], state: str) -> float:
-    """Say how surely an action brings pairs of a kind into a state, and how alike: from 0 to 1."""
-    good = [one for one in performances if one.state == state and not one.disturbs and one.turn <= TURNED]
-    if not good:
-        return 0.0
-    return len(good) / len(performances) * likeness(np.array([one.outcome for one in good]), _EXACT_PAIR)

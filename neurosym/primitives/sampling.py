@@ -1,6 +1,6 @@
 """Sampling by category: objects as the world draws them, and enough of each category, rare ones included."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from string import ascii_lowercase
 from types import MappingProxyType
@@ -98,11 +98,13 @@ class Repertoire:
             others the shared ones are performed; None if every action is performed on every category.
         times: On how many objects of a category an action is performed, by the category and its label; on all
             where it is not said.
+        fits: Says whether an action is for what a scene shows, where the category does not.
     """
 
     primitives: tuple[Primitive, ...]
     own: Mapping[Symbol, tuple[str, ...]] | None = None
     times: Mapping[tuple[Symbol, str], int] = field(default_factory=dict)
+    fits: Callable[[Primitive, Scene], bool] = field(default=lambda *_: True, compare=False)
 
     def serves(self, primitive: Primitive, category: Symbol) -> bool:
         """Say whether an action is performed on the objects of a category."""

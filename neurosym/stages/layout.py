@@ -35,11 +35,13 @@ RELATIONS = "relations"
 RELATION_INTERACTIONS = f"{RELATIONS}/{INTERACTIONS}"
 """`explore --relations`: a row for each interaction that was aimed at another object."""
 CHANCES, STATES = "chances.safetensors", "states.json"
-RELATION_MODEL, RELATION_CHANCES = f"{RELATIONS}/{MODEL}", f"{RELATIONS}/{CHANCES}"
-"""`train`: the networks that were fitted to these; the object symbols are kinds of pairs."""
+RELATION_MODEL = f"{RELATIONS}/{MODEL}"
+"""`train`: the network that was fitted to these; its object symbols are kinds of pairs."""
 RELATION_STATES = f"{RELATIONS}/{STATES}"  # `train`: the states that pairs of objects can be in
 RELATION_OPERATORS = f"{RELATIONS}/operators.json"
 """`distill`: what brings which pairs of objects into which state, and how surely."""
+RELATION_CHANCES = f"{RELATIONS}/{CHANCES}"
+"""`distill`: the network that foresees that, fitted to all that was explored and performed."""
 DOMAIN = "domain.pddl"  # `compile-domain`: the page, all that was learned in one domain
 NUMERIC_DOMAIN = "domain-numeric.pddl"  # `compile-domain`: the same in numbers (PDDL 2.1)
 PLAIN_DOMAIN = "domain-plain.pddl"
@@ -66,7 +68,7 @@ COMMANDS = {
     MODEL: "train",
     DIRECT_MODEL: "train",
     PRIMITIVES: "distill",
-    CHANCES: "train",
+    CHANCES: "distill",
     STATES: "train",
     Path(PLACE_OPERATORS).name: "distill",
     DOMAIN: "compile-domain",

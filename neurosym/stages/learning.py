@@ -5,6 +5,7 @@ All go the same way for each aim, in the world as the aim has it shown, with dat
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -26,7 +27,7 @@ from neurosym.data.origin import (
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted
 from neurosym.files import make_folder, write_json
 from neurosym.formats import PairFile, PlaceFile
-from neurosym.learning.training_config import PAIR_BITS, PLACE_BITS, STATE_BITS, Regime, regime_named
+from neurosym.learning.training_config import PAIR_BITS, PLACE_BITS, STATE_BITS, regime_named
 from neurosym.operators import OperatorTable, Primitive, counted_axes
 from neurosym.pair_operators import PairStates, describe_pair
 from neurosym.primitives.audition import CHOICES
@@ -48,7 +49,9 @@ from neurosym.worlds.workers import check_workers
 from neurosym.worlds.world_file import has_world, origin_of, read_axes, read_world
 
 if TYPE_CHECKING:
+    from neurosym.learning.network import DirectModel
     from neurosym.primitives.operator_search import Method
+    from neurosym.primitives.pair_rehearsal import Carriers
 
 
 _FRESH = 600
@@ -92,7 +95,7 @@ class Aim:
         axes: How many axes effects have; None for as many as there are.
         bits: Of the symbols of objects, or pairs, and of actions; None for those of the regime.
         builds_on: Files that exploring reads besides the world's.
-        network: Which of its files has the network that shortlists.
+        networks: Which of its files has the network that shortlists, if there is anything to choose among.
         besides: Which other files of its own training writes and distilling reads.
         categories: The network that gives objects, or pairs, their symbols: a file of any aim.
         adapt: Has a world explored with such actions.
@@ -100,6 +103,7 @@ class Aim:
         chosen: Reads the actions from that file.
         origin: What the data say of it.
         learn: Learns what else there is to learn of the data; gives what goes into which file.
+        foresees: Files of the network that learns in the end from all that was performed.
     """
 
     method: Callable[[DomainFolder, str], "Method"]
@@ -110,7 +114,7 @@ class Aim:
     axes: int | None = None
     bits: tuple[int, int] | None = None
     builds_on: tuple[str, ...] = ()
-    network: str = layout.DIRECT_MODEL
+    networks: tuple[str, ...] = (layout.DIRECT_MODEL,)
     besides: tuple[str, ...] = ()
     categories: str = layout.MODEL
     adapt: Callable[[DomainFolder, WorldFactory], WorldFactory] = lambda _, factory: factory
@@ -118,6 +122,7 @@ class Aim:
     chosen: Callable[[Path], tuple[Primitive, ...]] = lambda path: OperatorTable.load(path).primitives
     origin: Mapping[str, Any] = field(default_factory=dict)
     learn: Callable[..., dict[str, Any]] = lambda *_: {}
+    foresees: tuple[str, ...] = ()
 
     def file(self, name: str) -> str:
         """Return where one of its files is in the domain folder."""
@@ -151,16 +156,22 @@ def _with_known_motions(folder: DomainFolder, factory: WorldFactory) -> WorldFac
     return RelatedFactory(factory, KnownMotions(places, categorise, factory().action_box))
 
 
-def _learn_states(
-    folder: DomainFolder,
-    interactions: Interactions,
-    more: Interactions | None,
-    held: Held,
-    regime: Regime,
-    seed: int,
-) -> dict[str, Any]:
-    """Find the states of pairs unless they are held, and learn from all that happened to foresee them."""
-    from neurosym.learning.state_codes import ends_in, fit_chances, learn_states
+def carriers_of(folder: DomainFolder) -> "Carriers":
+    """Return what a folder has learned to carry to places with, as it is aimed at other objects."""
+    from neurosym.learning.network import EffectModel
+    from neurosym.primitives.distillation import encoded
+    from neurosym.primitives.pair_rehearsal import Carriers
+
+    categorise = EffectModel.load(folder.require(layout.MODEL)).object_symbols
+    places = PlaceFile.load(folder.require(layout.PLACE_OPERATORS)).table()
+    return Carriers(
+        places, categorise, partial(encoded, EffectModel.load(folder.require(layout.RELATION_MODEL)))
+    )
+
+
+def _learn_states(folder: DomainFolder, interactions: Interactions, held: Held, seed: int) -> dict[str, Any]:
+    """Find the states of pairs, unless they are held."""
+    from neurosym.learning.state_codes import ends_in, learn_states
 
     path = folder / layout.RELATION_INTERACTIONS
     if not np.any(interactions.effects[:, -1]):
@@ -175,15 +186,23 @@ def _learn_states(
         states = learn_states(fresh, *ends_in(interactions), STATE_BITS, rng)
     if not states.bearing:
         raise InvalidFile(path, "no object came to bear another one; explore more")
+    return {layout.STATES: states}
+
+
+def _foresee(folder: DomainFolder, aim: Aim, ledger: Ledger, regime: str, seed: int) -> "DirectModel":
+    """Learn from all that happened to foresee into which states pairs come."""
+    from neurosym.learning.state_codes import fit_chances
+
+    explored = Interactions.load(folder.require(aim.file(layout.INTERACTIONS)))
+    states = PairStates.load(folder.require(aim.file(layout.STATES)))
     with progress_bar("learning what is foreseen of pairs") as advance:
-        chances = fit_chances(
-            interactions if more is None else interactions.join(more),
+        return fit_chances(
+            explored.join(ledger.interactions(explored.origin)),
             states,
-            regime.training,
+            regime_named(regime).training,
             seed=seed,
             progress=lambda stage, share: advance(round(100 * share), 100, stage),
         )
-    return {layout.STATES: states, layout.CHANCES: chances}
 
 
 OBJECTS = Aim(lambda _, choice: _search().displacing(choice), layout.PRIMITIVES)
@@ -201,7 +220,9 @@ TO_PLACES = Aim(
     origin={"reference": "place"},
 )
 TO_OBJECTS = Aim(
-    lambda folder, _: _search().relating(PairStates.load(folder.require(layout.RELATION_STATES))),
+    lambda folder, _: _search().relating(
+        PairStates.load(folder.require(layout.RELATION_STATES)), carriers_of(folder)
+    ),
     layout.RELATION_OPERATORS,
     layout.RELATIONS,
     "other objects",
@@ -209,7 +230,7 @@ TO_OBJECTS = Aim(
     axes=PAIR_AXES,
     bits=PAIR_BITS,
     builds_on=(layout.MODEL, layout.PLACE_OPERATORS),
-    network=layout.CHANCES,
+    networks=(),
     besides=(layout.STATES,),
     categories=layout.RELATION_MODEL,
     adapt=_with_known_motions,
@@ -217,6 +238,7 @@ TO_OBJECTS = Aim(
     chosen=lambda path: PairFile.load(path).primitives,
     origin={"reference": "object", "proposed": True},
     learn=_learn_states,
+    foresees=(layout.CHANCES,),
 )
 
 
@@ -280,6 +302,11 @@ def explore_stage(
     return Stage(aim.stage("explore"), inputs, outputs, work, options, Claim.ALONE)
 
 
+def _not_asked(*_: np.ndarray) -> np.ndarray:
+    """Stand for a network where nothing is chosen by what one foresees."""
+    raise AssertionError("nothing is chosen among")
+
+
 def check_steps(folder: DomainFolder, steps: int, aim: Aim = OBJECTS, **asked: object) -> None:
     """Refuse to replace interactions by fewer, by others than are asked for, or a user's own by any."""
     path = folder / aim.file(layout.INTERACTIONS)
@@ -310,6 +337,7 @@ def distill_stage(
     budget: int = BUDGET,
     held: Held = _NOTHING,
     choice: str = "own",
+    regime: str = "default",
 ) -> Stage:
     """Distil primitives and rehearse them: model, data and world -> `primitives.json`.
 
@@ -322,25 +350,25 @@ def distill_stage(
     check_workers(workers)
     if choice not in CHOICES:
         raise UnknownChoice("choice", choice, CHOICES)
-    names = layout.MODEL, aim.network, layout.INTERACTIONS, *aim.besides
-    of_model, of_network, data, *besides = map(aim.file, names)
+    of_model, data, *besides = map(aim.file, (layout.MODEL, layout.INTERACTIONS, *aim.besides))
+    networks = [*map(aim.file, aim.networks)]
 
     def work() -> None:
         from neurosym.learning.network import DirectModel, EffectModel
         from neurosym.primitives.operator_search import NothingDistilled, average_operators, find_operators
 
         model = EffectModel.load(folder.require(of_model))
-        network = DirectModel.load(folder.require(of_network))
+        direct = [DirectModel.load(folder.require(name)) for name in networks]
         interactions = Interactions.load(folder.require(data))
-        for name, one in ((of_model, model), (of_network, network)):
-            problem = model_misfit(one.dimensions, interactions.columns, interactions.origin)
-            if problem and name.endswith((layout.MODEL, layout.DIRECT_MODEL)):
+        for name, one in zip((of_model, *networks), (model, *direct), strict=True):
+            if problem := model_misfit(one.dimensions, interactions.columns, interactions.origin):
                 raise InvalidFile(folder / name, problem)
-        known = model, network.predict_outcomes, interactions
+        predict = direct[0].predict_outcomes if direct else _not_asked
         try:
             if aim is OBJECTS and not has_world(folder / layout.WORLD):
                 box = ActionBox(*box_of(interactions.actions, interactions.origin))
-                found = average_operators(*known, box, choice, seed=seed, open_bar=progress_bar)
+                known = model, predict, interactions, box, choice
+                found = average_operators(*known, seed=seed, open_bar=progress_bar)
             else:
                 method, factory = aim.method(folder, choice), read_world(folder.require(layout.WORLD))
                 world = method.adapt(factory)()
@@ -348,8 +376,11 @@ def distill_stage(
                 axes = getattr(world, "effect_axes", EFFECT_AXES)
                 if problem := world_misfit(world.name, (*widths, axes), interactions.columns):
                     raise InvalidFile(folder / data, problem)
+                ledger = ledger_of(folder, aim, workers, held.performed)
                 found = find_operators(
-                    *known,
+                    model,
+                    predict,
+                    interactions,
                     world.action_box,
                     method,
                     categorise=EffectModel.load(folder.require(aim.categories)).object_symbols,
@@ -357,10 +388,12 @@ def distill_stage(
                     objects=objects,
                     budget=budget,
                     seed=seed,
-                    ledger=ledger_of(folder, aim, workers, held.performed),
-                    former=aim.chosen(folder.require(aim.table)) if held.bits else (),
+                    ledger=ledger,
+                    former=aim.chosen(folder.require(aim.table)) if held.bits and direct else (),
                     open_bar=progress_bar,
                 )
+                for name in aim.foresees:
+                    _foresee(folder, aim, ledger, regime, seed).save(folder / aim.file(name))
         except NothingDistilled as error:
             raise InvalidFile(folder / of_model, "no action encodes to its symbol; train again") from error
         write_json(folder / aim.table, aim.stored(found))
@@ -369,10 +402,13 @@ def distill_stage(
     options |= {} if budget == BUDGET else {"budget": budget}
     options |= held.options
     options |= {} if aim.folder else {"choice": choice}
+    options |= {"regime": regime} if aim.foresees and regime != "default" else {}
     # which axes a user names decides nothing here
     world = () if read_axes(folder / layout.WORLD) else (layout.WORLD,)
-    inputs = tuple(dict.fromkeys((*world, aim.categories, of_model, of_network, data, *besides)))
-    return Stage(aim.stage("distill"), inputs, (aim.table,), work, options, Claim.ALONE)
+    builds_on = () if networks else aim.builds_on
+    inputs = tuple(dict.fromkeys((*world, *builds_on, aim.categories, of_model, *networks, data, *besides)))
+    outputs = (aim.table, *map(aim.file, aim.foresees))
+    return Stage(aim.stage("distill"), inputs, outputs, work, options, Claim.ALONE)
 
 
 def ledger_of(folder: DomainFolder, aim: Aim, workers: int = 1, free: int = 0) -> Ledger:
@@ -408,7 +444,7 @@ def train_stage(
     """
     chosen, data = regime_named(regime), aim.file(layout.INTERACTIONS)
     network = chosen.model.with_bits(*(aim.bits or ())).with_bits(object_bits, action_bits)
-    learned = (*aim.besides, layout.MODEL, aim.network, layout.TRAINING)
+    learned = (*aim.besides, layout.MODEL, *aim.networks, layout.TRAINING)
 
     def work() -> None:
         from neurosym.learning.network import EffectModel
@@ -423,7 +459,7 @@ def train_stage(
         more = None
         if held.performed:
             more = ledger_of(folder, aim).interactions(interactions.origin, held.performed)
-        files: dict[str, Any] = aim.learn(folder, interactions, more, held, chosen, seed)
+        files: dict[str, Any] = aim.learn(folder, interactions, held, seed)
         with progress_bar(f"training {aim.folder}".rstrip()) as advance:
             trained = train(
                 interactions,

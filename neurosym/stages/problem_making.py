@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any, cast, get_args
 
 import msgspec
-import numpy as np
 
 from neurosym.choices import AnyTask, TaskKind
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
@@ -25,6 +24,7 @@ from neurosym.stages.planning import check_scene, remarks_on_number, tell_remark
 from neurosym.tasks.conditions import as_conditions, conditions_in
 from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.options import puts_for
+from neurosym.tasks.promises import performed_with
 from neurosym.tasks.supports import PairSight, with_pairs
 from neurosym.world import World
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, Way, Ways, draw_relation_task
@@ -138,7 +138,7 @@ def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = No
             Way(
                 put.state.name,
                 put.operator.takes("occupied"),
-                np.array(grounding.primitive_of(put.operator).action),
+                performed_with(grounding, put.operator, problem.object_named(target)),
             )
             for put in puts
             if put.share >= LEAST_SHARE

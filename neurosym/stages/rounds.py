@@ -232,6 +232,7 @@ class Recipe:
         fitting: dict[str, Any] = {"seed": self.seed, "regime": self.regime}
         fitting |= self.bits if aim is OBJECTS else {}
         searching: dict[str, Any] = {"objects": self.objects, "choice": self.choice, "seed": self.seed}
+        searching["regime"] = self.regime
         searching["budget"] = max(0, share.budget - held.performed)
         exploring: dict[str, Any] = {"steps": share.explored, "strategy": self.strategy}
         for stage in (
@@ -309,7 +310,7 @@ def _files() -> tuple[str, ...]:
 
     names = [layout.WORLD, layout.BUDGET]
     for aim in AIMS:
-        learned = layout.MODEL, aim.network, *aim.besides, layout.TRAINING, layout.LEDGER
+        learned = layout.MODEL, *aim.networks, *aim.besides, *aim.foresees, layout.TRAINING, layout.LEDGER
         names += map(aim.file, (STATE_FILE, INTERACTIONS_FILE, layout.INTERACTIONS, *learned))
         names.append(aim.table)
     return tuple(dict.fromkeys(names))

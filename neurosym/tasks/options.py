@@ -14,7 +14,7 @@ from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import ANY_KIND, TOLERANCE, Mode, Operator, Symbol
 from neurosym.pair_operators import FAINT, Case, PairState
 from neurosym.problems import Problem, SceneObject, pair_key
-from neurosym.tasks.promises import LEAST_CHANCE, promised, usable
+from neurosym.tasks.promises import LEAST_CHANCE, carrying_with, promised, usable
 
 # What is done to an object by itself: every live operator as a displacement, and what it costs
 
@@ -147,8 +147,11 @@ def puts_for(
     """
     key = pair_key(target, reference)
     kind = kind or problem.pairs.get(key)
+    category = problem.object_named(target).category
     fitting = [
-        put.with_pair(problem, target, reference) for put in puts_of(grounding) if put.operator.is_for(kind)
+        put.with_pair(problem, target, reference)
+        for put in puts_of(grounding)
+        if put.operator.is_for(kind) and _is_carried_with(grounding, put.operator, category)
     ]
     ranked = sorted(fitting, key=lambda put: put.chance)
     own = {put.state.name: put.chance for put in ranked if put.operator.subject}
@@ -171,6 +174,14 @@ def puts_for(
     by_sureness = sorted(likely, key=lambda put: (put.chance, put.operator.subject != ANY_KIND, put.name))
     surest = {put.operator.case: put for put in by_sureness}
     return tuple(put for put in at_hand if surest.get(put.operator.case) is put)
+
+
+def _is_carried_with(grounding: Grounding, operator: Operator, category: Symbol) -> bool:
+    """Say whether an operator on pairs is performed with what carries a category, as far as that is known."""
+    known = (
+        carrying_with(grounding.places, grounding.primitive_of(operator).action) if grounding.places else ()
+    )
+    return not known or any(one.subject == category for one in known)
 
 
 def put_named(name: str, grounding: Grounding) -> Put | None:

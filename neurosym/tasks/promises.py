@@ -16,7 +16,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Category, Mode, Operator, vector
+from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, vector
 from neurosym.problems import SceneObject
 from neurosym.regression import Choice, Regression, fit, found_for
 from neurosym.world import heading, turned_by
@@ -28,6 +28,8 @@ Whether it is kept is mostly the object's doing, so that trying again does not h
 too high, too: of promises said to be kept in 10 to 25 %, 9 % were (`docs/planning.md`, "The chance").
 """
 _LEAST_REHEARSALS = 8  # with fewer that ended as promised, nothing is refined
+LAST_WAYPOINT = 4
+"""So many numbers of an action are its last waypoint, which is relative to what it is aimed at."""
 _BEYOND = 0.5  # how far outside of what was rehearsed an object may be, in spreads of the features
 _LEAST_SPREAD = 1e-3
 
@@ -59,6 +61,44 @@ def why_unfit(operator: Operator, grounding: Grounding) -> str | None:
     if grounding.is_refined and operator.successes < LEAST_CHANCE * operator.trials:
         return f"keeps its promise with such objects in about {operator.successes} of {operator.trials} only"
     return None
+
+
+def performed_with(grounding: Grounding, operator: Operator, item: SceneObject) -> Float[np.ndarray, "A"]:
+    """Return the action that an operator is performed with on an object; see `set_over`."""
+    action = grounding.primitive_of(operator).action
+    if operator.frame != "pair" or grounding.places is None:
+        return np.array(action)
+    return set_over(grounding.places, action, item.category, item.features)
+
+
+def set_over(
+    places: OperatorTable, action: Sequence[float], category: str, features: tuple[float, ...]
+) -> Float[np.ndarray, "A"]:
+    """Return an action that carries to places as it is aimed at another object, to end over its middle.
+
+    Its end makes up for where an object of these features will hang from the hand, as it does at places. An
+    action that is not known to carry to places stays what it is. It is of the object's category, if it
+    carries these, and else of whichever it carries most surely.
+    """
+    aimed = np.array(action, dtype=np.float64)
+    if known := [one for one in carrying_with(places, tuple(action)) if _carries(one)]:
+        surest = max(known, key=lambda one: (one.subject == category, one.successes, one.name))
+        learned = next(one for one in places.categories if one.symbol == surest.subject)
+        promise = _refined(surest, learned, features, TOLERANCE).promise
+        assert promise is not None, "it carries"
+        aimed[-LAST_WAYPOINT:][:2] -= promise.resting_effect[:2]
+    return aimed
+
+
+@lru_cache(maxsize=256)
+def carrying_with(places: OperatorTable, action: tuple[float, ...]) -> tuple[Operator, ...]:
+    """Return the operators that carry to places with an action; none if it is not known to."""
+    labels = {one.label for one in places.primitives if one.action == action}
+    return tuple(one for one in places.operators if one.label in labels)
+
+
+def _carries(operator: Operator) -> bool:
+    return operator.promise is not None and operator.promise.kind == "carried"
 
 
 def rehearsed_objects(operator: Operator, category: Category) -> tuple[tuple[float, ...], ...]:

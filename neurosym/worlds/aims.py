@@ -14,6 +14,7 @@ from neurosym.checks import Float
 from neurosym.contract import made
 from neurosym.operators import Categorise, OperatorTable, Symbol, symbols_of
 from neurosym.pair_operators import tilt
+from neurosym.tasks.promises import LAST_WAYPOINT
 from neurosym.world import (
     ActionBox,
     OtherObject,
@@ -122,6 +123,8 @@ STEADY = 0.02
 
 Propose = Callable[[np.random.Generator, Float[np.ndarray, "F"], int], Float[np.ndarray, "_ A"]]
 """Draws actions that do something to a target of these features, at most so many."""
+Aiming = Callable[[Float[np.ndarray, "A"], Float[np.ndarray, "F"]], Float[np.ndarray, "A"]]
+"""Gives an action as it is performed with a target of these features."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -138,14 +141,16 @@ class RelatedScene(Scene):
 class Related(Adapted):
     """A world in which every action is aimed at another object.
 
-    What draws actions that do something to the target alone is tried with a reference, too.
+    What draws actions that do something to the target alone is tried with a reference, too. What is known to
+    carry to places may be aimed such that the target ends over the middle of the reference.
     """
 
     effect_axes = PAIR_AXES
     scenes_to_choose_from = 4
 
-    def __init__(self, world: World, propose: Propose | None = None):
+    def __init__(self, world: World, propose: Propose | None = None, aim: Aiming | None = None):
         super().__init__(world)
+        self._aim = aim
         self.feature_names = tuple(
             f"{which} {name}" for which in ("target", "reference") for name in world.feature_names
         )
@@ -178,6 +183,8 @@ class Related(Adapted):
         """Perform an action that is aimed at the reference of a pair; see `World.interact`."""
         if not isinstance(scene, RelatedScene):
             return self._world.interact(scene, action, target, **options)
+        if self._aim is not None:
+            action = self._aim(action, scene.whole.features[TARGET])
         aim = relative_to(self._world, OtherObject(REFERENCE))
         return self._world.interact(scene.whole, action, TARGET, **options, **aim)
 
@@ -217,10 +224,11 @@ class RelatedFactory:
 
     plain: WorldFactory
     propose: Propose | None = None
+    aim: Aiming | None = None
 
     def __call__(self) -> World:
         """Make a world."""
-        return Related(made(self.plain), self.propose)
+        return Related(made(self.plain), self.propose, self.aim)
 
 
 def as_pair(whole: Scene) -> RelatedScene:
@@ -332,7 +340,6 @@ JITTER = 0.003
 """Standard deviation by which their lengths are changed [m]."""
 TO_THE_MIDDLE = 0.5
 """Share of the motions that end where the reference is; the others end at random."""
-_LAST = 4  # parameters of the last waypoint, which is relative to the reference
 
 
 @dataclass(frozen=True)
@@ -356,7 +363,7 @@ class KnownMotions:
         for one in self.places.operators:
             if one.promise and one.promise.kind == "carried" and 2 * one.successes > one.trials:
                 to_the_middle = np.array(actions[one.label])
-                to_the_middle[-_LAST:][:2] -= one.promise.resting_effect[:2]
+                to_the_middle[-LAST_WAYPOINT:][:2] -= one.promise.resting_effect[:2]
                 found.setdefault(one.subject, []).append(to_the_middle)
         return {category: np.array(rows) for category, rows in found.items()}
 
@@ -378,6 +385,6 @@ class KnownMotions:
         motions = known[rng.integers(len(known), size=count)]
         motions += rng.normal(0.0, JITTER, motions.shape) * ~self.box.gripper
         elsewhere = rng.random(count) >= TO_THE_MIDDLE
-        motions[elsewhere, -_LAST:] = drawn[elsewhere, -_LAST:]
+        motions[elsewhere, -LAST_WAYPOINT:] = drawn[elsewhere, -LAST_WAYPOINT:]
         inside: np.ndarray = np.clip(motions, self.box.low, self.box.high)
         return inside

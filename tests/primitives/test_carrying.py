@@ -1,4 +1,4 @@
-"""Operators that carry objects to places, and actions for kinds of pairs, in worlds easily followed."""
+"""Operators that carry objects to places, and the same with kinds of pairs, in worlds easily followed."""
 
 from dataclasses import replace
 from functools import cache
@@ -9,21 +9,21 @@ import pytest
 import toy_relations
 from toy_learning import BRIEF, SMALL, search
 
-from neurosym.errors import InvalidFile
+from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.exploration.loop import ExplorationConfig, explore
 from neurosym.formats import PlaceFile
 from neurosym.learning.training import Trained, train
-from neurosym.operators import OperatorTable, Primitive
+from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
 from neurosym.pair_operators import PairStates
 from neurosym.primitives.ledger import Ledger
 from neurosym.primitives.operator_search import CARRYING, find_operators
-from neurosym.primitives.pair_audition import choose_for_pairs, tabulate_pairs
+from neurosym.primitives.pair_rehearsal import Carriers, carriers_for_pairs, tabulate_pairs
 from neurosym.primitives.rehearsal import rehearse
 from neurosym.primitives.reliability import foresee_carrying
 from neurosym.primitives.sampling import Repertoire
 from neurosym.worlds.aims import AimedFactory, RelatedFactory
 from neurosym.worlds.toy import make_world
-from neurosym.worlds.toy_relations import WALL, ToyRelations
+from neurosym.worlds.toy_relations import ToyRelations
 
 
 def by_type(features):
@@ -110,13 +110,34 @@ def test_foreseen_is_what_is_carried_and_alike():
     assert foresee_carrying(sure).kind == "carried"
 
 
-# Actions for kinds of pairs: what is foreseen decides who is auditioned, and auditions decide
+# What carries objects to places is aimed at other objects, and rehearsed with each kind of pairs
 
-FACTORY = RelatedFactory(ToyRelations)
-TABLE = toy_relations.relations()
-STATES = PairStates(TABLE.states, TABLE.scales)
+STATES = PairStates(toy_relations.relations().states, toy_relations.relations().scales)
+OFF = 0.03
+"""How far beside the place objects end that the shifted action carries there [m]."""
 CARRY = Primitive("01", toy_relations.CARRY, 0.01)
-NOTHING = Primitive("00", (0.0,) * 12, 0.0)
+SHIFTED = Primitive("10", (*toy_relations.CARRY[:8], OFF, *toy_relations.CARRY[9:]), 0.01)
+
+
+def carrier(primitive: Primitive, category: str, carried: int, off: float = 0.0) -> Operator:
+    """An operator that was rehearsed to carry a category so often, and ends so far beside the place."""
+    end = (off, 0.0, 0.0)
+    modes = (
+        Mode("carried", carried, carried / 20, end, (0.0,) * 3, end, (0.0,) * 3, 0.2, carried),
+        Mode("missed", 20 - carried, 1 - carried / 20, *((0.0,) * 3,) * 4, 0.0, 0),
+    )
+    return Operator(f"by-{primitive.label}-{category}", category, primitive.symbol, 20, modes, frame="place")
+
+
+def carriers(*operators: Operator) -> Carriers:
+    """What carries a category "0" of everything, as toy relations have it."""
+    everything = Category("0", "thing-0", 1.0, (0.05,) * 4, (0.0,) * 4)
+    table = OperatorTable((everything,), (CARRY, SHIFTED), operators)
+    return Carriers(table, lambda rows: ("0",) * len(rows), lambda actions: tuple(map(as_known, actions)))
+
+
+def as_known(action: np.ndarray) -> Primitive:
+    return next(one for one in (CARRY, SHIFTED) if one.action == tuple(action.tolist()))
 
 
 def kinds(features: np.ndarray) -> tuple[str, ...]:
@@ -124,39 +145,42 @@ def kinds(features: np.ndarray) -> tuple[str, ...]:
     return tuple("1" if row[7] > 0.5 else "0" for row in features)
 
 
-def hopeful(features: np.ndarray, actions: np.ndarray) -> np.ndarray:
-    """Foresee the best of every action: into what is hollow and wide enough, and onto anything else."""
-    del actions
-    fits = (features[:, 7] > 0.5) & np.all(features[:, :2] < features[:, 4:6] - 2 * WALL, axis=1)
-    return np.column_stack([~fits, fits]) * 0.9
+def found_for_pairs(known: Carriers, **options: object) -> Repertoire:
+    shown = RelatedFactory(ToyRelations, aim=known)
+    return carriers_for_pairs(search((), kinds, shown, objects=40, **options), known)
 
 
-def chosen_among(candidates: list[Primitive], predict=hopeful, **options: object) -> Repertoire:
-    return choose_for_pairs(search(candidates, kinds, FACTORY, predict=predict, **options), STATES)
+def test_what_carries_most_surely_is_tried_with_pairs():
+    sure, unsure, never = carrier(CARRY, "0", 19), carrier(SHIFTED, "0", 12, OFF), carrier(SHIFTED, "0", 2)
+    assert carriers(unsure, sure).of("0") == (CARRY, SHIFTED)
+    assert carriers(sure, never).of("0") == (CARRY,)
+    chosen = found_for_pairs(carriers(unsure, sure))
+    assert {kind: set(labels) for kind, labels in (chosen.own or {}).items()} == {
+        "0": {"01", "10"},
+        "1": {"01", "10"},
+    }
+    with pytest.raises(InvalidValue, match="Nothing carries objects to places"):
+        found_for_pairs(carriers(never))
 
 
-def of_kind(chosen, kind: str) -> list[tuple[float, ...]]:
-    return [one.action for one in chosen.primitives if chosen.serves(one, kind)]
-
-
-def test_auditions_leave_what_really_puts_on_and_into():
-    chosen, again = (chosen_among([NOTHING, CARRY], seed=0, workers=workers) for workers in (1, 2))
-    assert chosen == again
-    assert CARRY.action in of_kind(chosen, "0")
-    assert NOTHING.action not in of_kind(chosen, "0")
-    assert NOTHING.action not in of_kind(chosen, "1")
-    performed = list[tuple[int, int]]()
-
-    def nothing(features: np.ndarray, actions: np.ndarray) -> np.ndarray:
-        return np.zeros((len(features), 2)) * actions[:, :1]
-
-    assert of_kind(chosen_among([CARRY], nothing, told=performed), "0") == []
-    assert performed == [], "what is foreseen to do nothing is not auditioned"
+def test_action_that_ends_beside_places_is_aimed_over_the_middle_of_others():
+    known = carriers(carrier(SHIFTED, "0", 20, OFF))
+    target = np.array(toy_relations.CUBE)
+    np.testing.assert_allclose(known(np.array(SHIFTED.action), target), toy_relations.CARRY)
+    np.testing.assert_array_equal(known(np.array(CARRY.action), target), CARRY.action)
+    plain, aimed = RelatedFactory(ToyRelations)(), RelatedFactory(ToyRelations, aim=known)()
+    scene = plain.sample_scene(np.random.default_rng(1), 1)
+    expected = plain.interact(scene, np.array(CARRY.action), 0)
+    np.testing.assert_allclose(
+        aimed.interact(scene, np.array(SHIFTED.action), 0).end.positions, expected.end.positions
+    )
 
 
 def test_kind_whose_pairs_end_in_several_states_has_an_operator_for_each():
-    chosen = chosen_among([CARRY], seed=0)
-    found = rehearse(FACTORY, chosen, kinds, objects=80, seed=1)
+    known = carriers(carrier(CARRY, "0", 20))
+    found = rehearse(
+        RelatedFactory(ToyRelations, aim=known), found_for_pairs(known), kinds, objects=80, seed=1
+    )
     table = tabulate_pairs(found, ToyRelations().feature_names, STATES)
     promised = {one.promise.kind: one for one in table.operators if one.promise and one.subject == "1"}
     assert {toy_relations.ON, toy_relations.IN} == set(promised)

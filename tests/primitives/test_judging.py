@@ -18,7 +18,6 @@ from neurosym.primitives.reliability import (
     best_set,
     exactness,
     judge,
-    sureness,
 )
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.toy import PUSH_LENGTH
@@ -66,29 +65,6 @@ def test_turn_is_the_angle_between_start_and_end_whatever_the_sign_of_a_quaterni
             end = scene(0.0, 0.0, sign * np.sin(angle / 2), sign * np.cos(angle / 2))
             assert turn(end) == pytest.approx(angle, abs=1e-6)
     assert turn(scene(0.0, 0.0, 0.0, 0.0)) == 0.0
-
-
-def pair_ended(state: str = "01", /, **changes: object) -> Performance:
-    """Describe how an action turned out: straight above the reference."""
-    values = {"kind": "carried", "outcome": (0.0, 0.0, 1.0), "peak_height": 0.2, "turn": 0.0, "state": state}
-    return Performance(**(values | changes))  # type: ignore[arg-type]
-
-
-@pytest.mark.parametrize(
-    ("performances", "state", "sure"),
-    [
-        ([pair_ended()] * 4, "01", 1.0),
-        ([pair_ended()] * 4, "10", 0.0),
-        ([*[pair_ended()] * 3, pair_ended("10")], "01", 0.75),
-        ([*[pair_ended()] * 3, pair_ended("10")], "10", 0.25),
-        ([pair_ended(), pair_ended(disturbs=True)], "01", 0.5),
-        ([pair_ended(), pair_ended(turn=1.0)], "01", 0.5),
-        ([pair_ended(), pair_ended("")], "01", 0.5),
-        ([pair_ended(outcome=(x, 0.0, 1.0)) for x in (-0.5, 0.5)], "01", 1 / sqrt(2)),
-    ],
-)
-def test_sure_of_a_pair_is_what_always_ends_alike_in_the_state(performances, state, sure):
-    assert sureness(performances, state) == pytest.approx(sure)
 
 
 CARRY = (0.0, -0.04, 0.0, 0.1, 0.0, 0.0, 0.08, 0.1, 0.0, 0.04, 0.0, 0.1)  # the same by way of a height

@@ -9,7 +9,7 @@
     item-03 - solid-low-narrow-01
     item-04 - hollow-wide-00
     start-item-01 start-item-02 start-item-03 start-item-04 goal-item-01 goal-item-02 goal-item-03 goal-item-04 park-01 park-02 park-03 park-04 - spot
-    cost4 cost12 cost35 cost37 cost60 cost64 cost70 cost78 cost84 cost87 cost98 cost101 cost113 cost121 cost142 cost144 cost149 cost160 cost170 cost171 cost177 cost193 cost234 - price)
+    cost4 cost12 cost31 cost37 cost44 cost59 cost70 cost89 cost106 cost112 cost121 cost123 cost141 cost157 cost159 cost182 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -54,7 +54,7 @@
     (can-carry item-02 from-spot cost4)
     (can-carry item-03 from-spot cost4)
     (can-carry item-04 from-spot cost4)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost35) 35) (= (cost cost37) 37) (= (cost cost60) 60) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost78) 78) (= (cost cost84) 84) (= (cost cost87) 87) (= (cost cost98) 98) (= (cost cost101) 101) (= (cost cost113) 113) (= (cost cost121) 121) (= (cost cost142) 142) (= (cost cost144) 144) (= (cost cost149) 149) (= (cost cost160) 160) (= (cost cost170) 170) (= (cost cost171) 171) (= (cost cost177) 177) (= (cost cost193) 193) (= (cost cost234) 234)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost31) 31) (= (cost cost37) 37) (= (cost cost44) 44) (= (cost cost59) 59) (= (cost cost70) 70) (= (cost cost89) 89) (= (cost cost106) 106) (= (cost cost112) 112) (= (cost cost121) 121) (= (cost cost123) 123) (= (cost cost141) 141) (= (cost cost157) 157) (= (cost cost159) 159) (= (cost cost182) 182)
   )
   (:goal (and (done item-01) (done item-02) (done item-03) (done item-04)))
   (:metric minimize (total-cost)))

@@ -10,8 +10,8 @@
     start-item-01 start-item-02 start-item-03 start-item-04 park-01 park-02 park-03 park-04 - spot
     rests-on-item-01 sits-in-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 rests-on-item-04 - perch
     n1 n2 - count
-    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 - way
-    cost4 cost11 cost12 cost16 cost17 cost21 cost37 cost59 cost81 cost82 cost101 cost113 cost121 cost144 cost167 - price)
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 - way
+    cost4 cost11 cost12 cost22 cost32 cost37 cost49 cost52 cost57 cost70 cost77 cost121 cost157 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -54,22 +54,21 @@
     (on rests-on-item-03 item-03)
     (on rests-on-item-04 item-04)
     ; what puts one thing on or into another
-    (can-put item-01 rests-on-item-02 way2) (can-put item-01 rests-on-item-03 way3) (can-put item-01 rests-on-item-04 way7)
-    (can-put item-03 rests-on-item-01 way1) (can-put-loaded item-03 rests-on-item-01 way6) (can-put item-03 rests-on-item-02 way1) (can-put-loaded item-03 rests-on-item-02 way9) (can-put item-03 sits-in-item-02 way8) (can-put item-03 rests-on-item-04 way10)
-    (can-put item-04 rests-on-item-01 way5) (can-put item-04 sits-in-item-01 way11) (can-put item-04 rests-on-item-02 way1) (can-put item-04 rests-on-item-03 way4)
+    (can-put item-01 rests-on-item-02 way6) (can-put item-01 rests-on-item-03 way2) (can-put item-01 rests-on-item-04 way5)
+    (can-put item-03 rests-on-item-01 way4) (can-put item-03 rests-on-item-02 way7) (can-put item-03 sits-in-item-02 way10) (can-put item-03 rests-on-item-04 way7)
+    (can-put item-04 rests-on-item-01 way3) (can-put-loaded item-04 rests-on-item-01 way8) (can-put item-04 sits-in-item-01 way9) (can-put item-04 rests-on-item-02 way1) (can-put item-04 rests-on-item-03 way3) (can-put-loaded item-04 rests-on-item-03 way8)
     ; what that costs, by where the one is from, and what the other bears
     (fee way1 from-perch n0 cost12) (fee way1 from-spot n0 cost12)
-    (fee way2 from-perch n0 cost16) (fee way2 from-spot n0 cost12)
-    (fee way3 from-perch n0 cost17) (fee way3 from-spot n0 cost12)
-    (fee way4 from-perch n0 cost59) (fee way4 from-spot n0 cost12)
-    (fee way5 from-perch n0 cost81) (fee way5 from-spot n0 cost37)
-    (fee way6 from-perch n0 cost82) (fee way6 from-spot n0 cost82)
-    (fee way7 from-perch n0 cost101) (fee way7 from-perch n1 cost144) (fee way7 from-spot n0 cost12) (fee way7 from-spot n1 cost113)
-    (fee way8 from-perch n0 cost121) (fee way8 from-perch n1 cost121) (fee way8 from-spot n0 cost121) (fee way8 from-spot n1 cost121)
-    (fee way9 from-perch n0 cost167) (fee way9 from-spot n0 cost167)
-    (fee way10 from-spot n0 cost12) (fee way10 from-spot n1 cost21)
-    (fee way11 from-spot n0 cost121) (fee way11 from-spot n1 cost121)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost16) 16) (= (cost cost17) 17) (= (cost cost21) 21) (= (cost cost37) 37) (= (cost cost59) 59) (= (cost cost81) 81) (= (cost cost82) 82) (= (cost cost101) 101) (= (cost cost113) 113) (= (cost cost121) 121) (= (cost cost144) 144) (= (cost cost167) 167)
+    (fee way2 from-perch n0 cost22) (fee way2 from-spot n0 cost12)
+    (fee way3 from-perch n0 cost32) (fee way3 from-spot n0 cost12)
+    (fee way4 from-perch n0 cost37) (fee way4 from-spot n0 cost37)
+    (fee way5 from-perch n0 cost49) (fee way5 from-spot n0 cost12)
+    (fee way6 from-perch n0 cost52) (fee way6 from-spot n0 cost37)
+    (fee way7 from-perch n0 cost70) (fee way7 from-spot n0 cost70)
+    (fee way8 from-perch n0 cost77) (fee way8 from-spot n0 cost57)
+    (fee way9 from-perch n0 cost157) (fee way9 from-perch n1 cost157) (fee way9 from-spot n0 cost121) (fee way9 from-spot n1 cost121)
+    (fee way10 from-spot n0 cost121) (fee way10 from-spot n1 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost22) 22) (= (cost cost32) 32) (= (cost cost37) 37) (= (cost cost49) 49) (= (cost cost52) 52) (= (cost cost57) 57) (= (cost cost70) 70) (= (cost cost77) 77) (= (cost cost121) 121) (= (cost cost157) 157)
   )
   (:goal (and (stands item-04 rests-on-item-03) (stands item-01 rests-on-item-02)))
   (:metric minimize (total-cost)))

@@ -7,10 +7,10 @@
     item-01 - hollow-wide-00
     item-02 - solid-low-10
     start-item-01 start-item-02 park-01 park-02 - spot
-    rests-on-item-02 - perch
+    rests-on-item-02 sits-in-item-02 - perch
     n1 n2 - count
-    way1 - way
-    cost4 cost12 - price)
+    way1 way2 - way
+    cost4 cost12 cost51 cost121 cost132 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -29,11 +29,13 @@
     (next n1 n2)
     ; on or in what
     (on rests-on-item-02 item-02)
+    (on sits-in-item-02 item-02)
     ; what puts one thing on or into another
-    (can-put item-01 rests-on-item-02 way1)
+    (can-put item-01 rests-on-item-02 way1) (can-put item-01 sits-in-item-02 way2)
     ; what that costs, by where the one is from, and what the other bears
-    (fee way1 from-perch n0 cost12) (fee way1 from-spot n0 cost12)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12)
+    (fee way1 from-perch n0 cost12) (fee way1 from-perch n1 cost51) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost51)
+    (fee way2 from-perch n0 cost132) (fee way2 from-perch n1 cost132) (fee way2 from-spot n0 cost121) (fee way2 from-spot n1 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost51) 51) (= (cost cost121) 121) (= (cost cost132) 132)
   )
   (:goal (and (stands item-01 rests-on-item-02)))
   (:metric minimize (total-cost)))

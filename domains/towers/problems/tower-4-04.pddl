@@ -11,8 +11,8 @@
     start-item-01 start-item-02 start-item-03 start-item-04 park-01 park-02 park-03 park-04 - spot
     rests-on-item-01 sits-in-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 sits-in-item-04 - perch
     n1 n2 - count
-    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 - way
-    cost4 cost12 cost37 cost48 cost50 cost57 cost61 cost70 cost74 cost121 cost124 cost142 cost149 cost167 cost193 - price)
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 - way
+    cost4 cost12 cost15 cost37 cost51 cost121 cost123 cost132 cost157 cost182 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -55,24 +55,23 @@
     (on rests-on-item-04 item-04)
     (on sits-in-item-04 item-04)
     ; what puts one thing on or into another
-    (can-put item-01 rests-on-item-02 way2) (can-put item-01 rests-on-item-03 way1) (can-put item-01 rests-on-item-04 way9) (can-put item-01 sits-in-item-04 way11)
-    (can-put item-03 rests-on-item-01 way2) (can-put-loaded item-03 rests-on-item-01 way4) (can-put item-03 rests-on-item-02 way2) (can-put-loaded item-03 rests-on-item-02 way12) (can-put item-03 rests-on-item-04 way8)
-    (can-put item-04 rests-on-item-01 way6) (can-put item-04 sits-in-item-01 way10) (can-put item-04 rests-on-item-02 way3) (can-put item-04 sits-in-item-02 way7) (can-put item-04 rests-on-item-03 way5) (can-put item-04 sits-in-item-03 way13)
+    (can-put item-01 rests-on-item-02 way1) (can-put item-01 rests-on-item-03 way2) (can-put item-01 rests-on-item-04 way11) (can-put item-01 sits-in-item-04 way8)
+    (can-put item-03 rests-on-item-01 way3) (can-put item-03 rests-on-item-02 way4) (can-put item-03 rests-on-item-04 way6)
+    (can-put item-04 rests-on-item-01 way7) (can-put item-04 sits-in-item-01 way9) (can-put item-04 rests-on-item-02 way4) (can-put item-04 sits-in-item-02 way12) (can-put item-04 rests-on-item-03 way5) (can-put item-04 sits-in-item-03 way10)
     ; what that costs, by where the one is from, and what the other bears
-    (fee way1 from-perch n0 cost12) (fee way1 from-perch n1 cost50) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost50)
+    (fee way1 from-perch n0 cost12) (fee way1 from-perch n1 cost51) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost51)
     (fee way2 from-perch n0 cost12) (fee way2 from-spot n0 cost12)
-    (fee way3 from-perch n0 cost48) (fee way3 from-spot n0 cost12)
-    (fee way4 from-perch n0 cost57) (fee way4 from-spot n0 cost57)
-    (fee way5 from-perch n0 cost70) (fee way5 from-perch n1 cost70) (fee way5 from-spot n0 cost70) (fee way5 from-spot n1 cost70)
-    (fee way6 from-perch n0 cost74) (fee way6 from-perch n1 cost124) (fee way6 from-spot n0 cost12) (fee way6 from-spot n1 cost61)
-    (fee way7 from-perch n0 cost121) (fee way7 from-perch n1 cost121) (fee way7 from-spot n0 cost121) (fee way7 from-spot n1 cost121)
-    (fee way8 from-perch n0 cost121) (fee way8 from-spot n0 cost37)
-    (fee way9 from-perch n0 cost121) (fee way9 from-spot n0 cost121) (fee way9 from-spot n1 cost149)
-    (fee way10 from-perch n0 cost142) (fee way10 from-perch n1 cost193) (fee way10 from-spot n0 cost121) (fee way10 from-spot n1 cost121)
-    (fee way11 from-perch n0 cost149) (fee way11 from-perch n1 cost149) (fee way11 from-spot n0 cost70) (fee way11 from-spot n1 cost70)
-    (fee way12 from-perch n0 cost167) (fee way12 from-spot n0 cost167)
-    (fee way13 from-spot n0 cost37) (fee way13 from-spot n1 cost37)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost37) 37) (= (cost cost48) 48) (= (cost cost50) 50) (= (cost cost57) 57) (= (cost cost61) 61) (= (cost cost70) 70) (= (cost cost74) 74) (= (cost cost121) 121) (= (cost cost124) 124) (= (cost cost142) 142) (= (cost cost149) 149) (= (cost cost167) 167) (= (cost cost193) 193)
+    (fee way3 from-perch n0 cost15) (fee way3 from-spot n0 cost12)
+    (fee way4 from-perch n0 cost37) (fee way4 from-spot n0 cost37)
+    (fee way5 from-perch n0 cost121) (fee way5 from-spot n0 cost121)
+    (fee way6 from-perch n0 cost123) (fee way6 from-spot n0 cost121)
+    (fee way7 from-perch n0 cost132) (fee way7 from-spot n0 cost121)
+    (fee way8 from-perch n0 cost157) (fee way8 from-perch n1 cost157) (fee way8 from-spot n0 cost121) (fee way8 from-spot n1 cost121)
+    (fee way9 from-perch n0 cost182) (fee way9 from-perch n1 cost182) (fee way9 from-spot n0 cost121) (fee way9 from-spot n1 cost121)
+    (fee way10 from-spot n0 cost12) (fee way10 from-spot n1 cost12)
+    (fee way11 from-spot n0 cost121)
+    (fee way12 from-spot n0 cost121) (fee way12 from-spot n1 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost15) 15) (= (cost cost37) 37) (= (cost cost51) 51) (= (cost cost121) 121) (= (cost cost123) 123) (= (cost cost132) 132) (= (cost cost157) 157) (= (cost cost182) 182)
   )
   (:goal (and (stands item-03 rests-on-item-01) (stands item-01 rests-on-item-02)))
   (:metric minimize (total-cost)))

@@ -8,17 +8,17 @@
     item-03 - any-tall-narrow-11
     item-04 item-05 - solid-low-10
     start-item-02 start-item-03 start-item-04 park-01 park-02 park-03 park-04 park-05 - spot
-    rests-on-item-01 sits-in-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 rests-on-item-05 - perch
+    rests-on-item-01 sits-in-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 rests-on-item-05 sits-in-item-05 - perch
     n1 n2 - count
-    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 way15 - way
-    cost4 cost11 cost12 cost16 cost24 cost37 cost39 cost42 cost54 cost61 cost64 cost70 cost85 cost109 cost121 cost124 cost142 cost148 cost160 cost169 - price)
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 way15 way16 way17 way18 - way
+    cost4 cost11 cost12 cost22 cost23 cost37 cost68 cost70 cost71 cost74 cost121 cost125 cost133 cost141 cost157 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
     (stands item-01 rests-on-item-02) (bears item-01 n1) (can-take item-01)
     (stands item-02 start-item-02) (bears item-02 n1) (can-take item-02)
     (stands item-03 start-item-03) (bears item-03 n0) (can-take item-03)
-    (stands item-04 start-item-04) (bears item-04 n0)
+    (stands item-04 start-item-04) (bears item-04 n0) (can-take item-04)
     (stands item-05 rests-on-item-01) (bears item-05 n0) (can-take item-05)
     ; park-01 lies at (0.7710, -0.2007) m
     (free park-01)
@@ -67,28 +67,33 @@
     (on sits-in-item-03 item-03)
     (on rests-on-item-04 item-04)
     (on rests-on-item-05 item-05)
+    (on sits-in-item-05 item-05)
     ; what puts one thing on or into another
-    (can-put item-01 rests-on-item-02 way2) (can-put item-01 rests-on-item-03 way13) (can-put item-01 sits-in-item-03 way14) (can-put item-01 rests-on-item-04 way7) (can-put item-01 rests-on-item-05 way3)
-    (can-put item-02 rests-on-item-01 way13) (can-put item-02 rests-on-item-03 way15) (can-put item-02 rests-on-item-04 way9) (can-put item-02 rests-on-item-05 way11)
-    (can-put item-03 rests-on-item-01 way4) (can-put item-03 sits-in-item-01 way14) (can-put item-03 rests-on-item-02 way6) (can-put item-03 rests-on-item-04 way7) (can-put item-03 rests-on-item-05 way7)
-    (can-put item-05 rests-on-item-01 way8) (can-put item-05 sits-in-item-01 way12) (can-put item-05 rests-on-item-02 way1) (can-put item-05 sits-in-item-02 way12) (can-put item-05 rests-on-item-03 way10) (can-put item-05 sits-in-item-03 way14) (can-put item-05 rests-on-item-04 way5)
+    (can-put item-01 rests-on-item-02 way1) (can-put item-01 rests-on-item-03 way14) (can-put item-01 rests-on-item-04 way6) (can-put item-01 rests-on-item-05 way6)
+    (can-put item-02 rests-on-item-01 way13) (can-put item-02 rests-on-item-03 way17) (can-put item-02 sits-in-item-03 way11) (can-put item-02 rests-on-item-04 way2) (can-put item-02 rests-on-item-05 way9) (can-put item-02 sits-in-item-05 way16)
+    (can-put item-03 rests-on-item-01 way5) (can-put item-03 sits-in-item-01 way12) (can-put item-03 rests-on-item-02 way3) (can-put item-03 rests-on-item-04 way7) (can-put item-03 rests-on-item-05 way7) (can-put item-03 sits-in-item-05 way12)
+    (can-put item-04 rests-on-item-01 way8) (can-put item-04 rests-on-item-02 way10)
+    (can-put item-05 rests-on-item-01 way2) (can-put item-05 sits-in-item-01 way18) (can-put item-05 rests-on-item-02 way10) (can-put item-05 sits-in-item-02 way15) (can-put item-05 rests-on-item-03 way10) (can-put item-05 sits-in-item-03 way18) (can-put item-05 rests-on-item-04 way4)
     ; what that costs, by where the one is from, and what the other bears
-    (fee way1 from-perch n0 cost12) (fee way1 from-perch n1 cost12) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost12)
+    (fee way1 from-perch n0 cost12) (fee way1 from-perch n1 cost68) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost68)
     (fee way2 from-perch n0 cost12) (fee way2 from-spot n0 cost12)
-    (fee way3 from-perch n0 cost16) (fee way3 from-spot n0 cost12)
-    (fee way4 from-perch n0 cost24) (fee way4 from-spot n0 cost12)
-    (fee way5 from-perch n0 cost37) (fee way5 from-spot n0 cost37)
-    (fee way6 from-perch n0 cost39) (fee way6 from-perch n1 cost124) (fee way6 from-spot n0 cost12) (fee way6 from-spot n1 cost61)
-    (fee way7 from-perch n0 cost42) (fee way7 from-perch n1 cost85) (fee way7 from-spot n0 cost12) (fee way7 from-spot n1 cost54)
-    (fee way8 from-perch n0 cost70) (fee way8 from-perch n1 cost70) (fee way8 from-spot n0 cost70) (fee way8 from-spot n1 cost70)
-    (fee way9 from-perch n0 cost70) (fee way9 from-perch n1 cost109) (fee way9 from-spot n0 cost70) (fee way9 from-spot n1 cost109)
-    (fee way10 from-perch n0 cost121) (fee way10 from-perch n1 cost121) (fee way10 from-spot n0 cost121) (fee way10 from-spot n1 cost121)
-    (fee way11 from-perch n0 cost121) (fee way11 from-perch n1 cost160) (fee way11 from-spot n0 cost121) (fee way11 from-spot n1 cost160)
-    (fee way12 from-perch n0 cost142) (fee way12 from-perch n1 cost148) (fee way12 from-spot n0 cost121) (fee way12 from-spot n1 cost121)
-    (fee way13 from-spot n0 cost37) (fee way13 from-spot n1 cost64)
-    (fee way14 from-spot n0 cost121) (fee way14 from-spot n1 cost121)
-    (fee way15 from-spot n0 cost121) (fee way15 from-spot n1 cost169)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost16) 16) (= (cost cost24) 24) (= (cost cost37) 37) (= (cost cost39) 39) (= (cost cost42) 42) (= (cost cost54) 54) (= (cost cost61) 61) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost85) 85) (= (cost cost109) 109) (= (cost cost121) 121) (= (cost cost124) 124) (= (cost cost142) 142) (= (cost cost148) 148) (= (cost cost160) 160) (= (cost cost169) 169)
+    (fee way3 from-perch n0 cost22) (fee way3 from-spot n0 cost12)
+    (fee way4 from-perch n0 cost23) (fee way4 from-spot n0 cost12)
+    (fee way5 from-perch n0 cost70) (fee way5 from-spot n0 cost70)
+    (fee way6 from-perch n0 cost71) (fee way6 from-spot n0 cost70)
+    (fee way7 from-perch n0 cost74) (fee way7 from-spot n0 cost37)
+    (fee way8 from-perch n0 cost121) (fee way8 from-spot n0 cost121)
+    (fee way9 from-perch n0 cost125) (fee way9 from-spot n0 cost121)
+    (fee way10 from-perch n0 cost133) (fee way10 from-spot n0 cost121)
+    (fee way11 from-perch n0 cost141) (fee way11 from-perch n1 cost141) (fee way11 from-spot n0 cost121) (fee way11 from-spot n1 cost121)
+    (fee way12 from-perch n0 cost157) (fee way12 from-perch n1 cost157) (fee way12 from-spot n0 cost121) (fee way12 from-spot n1 cost121)
+    (fee way13 from-spot n0 cost12)
+    (fee way14 from-spot n0 cost37)
+    (fee way15 from-spot n0 cost37) (fee way15 from-spot n1 cost37)
+    (fee way16 from-spot n0 cost70) (fee way16 from-spot n1 cost70)
+    (fee way17 from-spot n0 cost121)
+    (fee way18 from-spot n0 cost121) (fee way18 from-spot n1 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost22) 22) (= (cost cost23) 23) (= (cost cost37) 37) (= (cost cost68) 68) (= (cost cost70) 70) (= (cost cost71) 71) (= (cost cost74) 74) (= (cost cost121) 121) (= (cost cost125) 125) (= (cost cost133) 133) (= (cost cost141) 141) (= (cost cost157) 157)
   )
   (:goal (and (stands item-05 rests-on-item-04) (stands item-01 rests-on-item-03)))
   (:metric minimize (total-cost)))

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 from unittest.mock import patch
 
-from neurosym.primitives import audition, bandit, pair_audition
+from neurosym.primitives import audition, bandit
 from neurosym.stages import rounds
 from neurosym.stages.learning import Held
 
@@ -90,7 +90,7 @@ def left_out(part: str) -> Iterator[None]:
         "teaching": [patch.object(rounds, "train_stage", untaught)],
         "prior": [patch.object(bandit.Contest, "counts", property(lambda _: 1e-3, lambda *_: None))],
         "weighing": [patch.object(bandit._Arm, "gain", property(evenly))],
-        "stopping": [patch.object(one, "LEAST_GAIN", 0.0) for one in (audition, pair_audition)],
+        "stopping": [patch.object(audition, "LEAST_GAIN", 0.0)],
     }
     with ExitStack() as stack:
         for each in parts[part]:

@@ -20,6 +20,7 @@ from neurosym.primitives.reliability import end_state
 from neurosym.primitives.sampling import draw_scene
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import MODEL, PLACE_OPERATORS, RELATION_OPERATORS, WORLD
+from neurosym.stages.learning import carriers_of
 from neurosym.stages.problem_making import sight_of_pairs
 from neurosym.tasks.supports import PairSight
 from neurosym.world import Outcome, World
@@ -46,7 +47,7 @@ def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
     """Try the operators of a domain on new pairs, and match its codes with names."""
     table, sight = PairFile.load(folder / RELATION_OPERATORS).table(), sight_of_pairs(DomainFolder(folder))
     assert sight is not None, "relations were learned"
-    factory = RelatedFactory(read_world(folder / WORLD))
+    factory = RelatedFactory(read_world(folder / WORLD), aim=carriers_of(DomainFolder(folder)))
     tried = _rehearsed(table, sight, factory, seed, workers)
     outcomes = [outcome for *_, ends in tried for outcome in ends]
     judged = _pairs_of(outcomes[1::2], table, NAMES)

@@ -1,15 +1,15 @@
-"""Choosing actions for kinds of pairs: for each state, a few that together bring as many pairs there as can.
+"""Rehearsing what carries objects with pairs: into which states it brings them, alone and among others.
 
-No action does the same to all pairs of a kind. A network foresees what each candidate does to each pair. The
-candidate that brings most pairs into a state comes first, then the one that adds most to it, while that is
-worth it: kinds that are met often get more actions than rare ones. For each of these there is a contest on
-the pairs that it adds. Candidates are listed by what is foreseen of them, and auditioned on them, fewer
-of them in each round; what was foreseen counts beside what was seen. The surest is left. Where nothing brings
-a kind into a state, there is no operator.
+What carries an object to a place carries it onto or into another one, too: that stands at a place. So each
+kind of pairs gets what most surely carries its targets to places, aimed such that these end over the middle
+of the reference. How that turns out depends on both: they fit or do not. Rehearsals say how often a kind of
+pairs ends in which state, and teach the network that foresees it of the pair at hand.
 """
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import islice
 from typing import Any
 
 import msgspec
@@ -18,6 +18,7 @@ import numpy as np
 from neurosym.checks import Float
 from neurosym.contract import made
 from neurosym.data.category_names import name_categories
+from neurosym.errors import InvalidValue
 from neurosym.operators import (
     Categorise,
     Category,
@@ -25,8 +26,10 @@ from neurosym.operators import (
     Kept,
     Mode,
     Operator,
+    OperatorTable,
     Primitive,
     Symbol,
+    labelled,
     symbols_of,
 )
 from neurosym.pair_operators import (
@@ -36,121 +39,88 @@ from neurosym.pair_operators import (
     pair_end,
     touching_units,
 )
-from neurosym.primitives.audition import moved
-from neurosym.primitives.bandit import LEAST_GAIN, Contest, hold
 from neurosym.primitives.rehearsal import Rehearsals, rehearsal_sample, rounded
-from neurosym.primitives.reliability import Judgement, end_state, sureness, watch
-from neurosym.primitives.sampling import (
-    Repertoire,
-    Sample,
-    perform_each,
-    sample_by_category,
-    tasks_of,
-    with_own,
-)
+from neurosym.primitives.reliability import end_state
+from neurosym.primitives.sampling import Repertoire, perform_each, tasks_of, with_own
 from neurosym.primitives.search import REHEARSED, Search
+from neurosym.tasks.promises import LEAST_CHANCE, carrying_with, set_over
 from neurosym.world import OtherObject, Outcome, Scene
-from neurosym.worlds.aims import TARGET, RelatedFactory, RelatedScene, as_pair, taken
+from neurosym.worlds.aims import TARGET, RelatedScene, as_pair, taken
+from neurosym.worlds.workers import Task
 
-CANDIDATES, PAIRS = 4, 12
-"""How many actions one contest is among at most, and on how many pairs each performs at most."""
-_OF_A_KIND = 64  # pairs of a kind that are looked at, to find which can be brought into a state, and by what
-WORTH = 0.002
-"""An action beyond the first for a kind and a state adds this share or more of all pairs, of whatever kind,
-that can be brought there."""
-_OF_SYMBOL = 4  # candidates of one symbol that are shortlisted for a kind of pairs and a state at most
-LEAST = 0.1
-"""Actions that are foreseen, or that turn out, to bring about a state less surely are left out for it."""
-# What is foreseen of an action counts as much as so many performances: few tell little of rare outcomes.
-_FORESEEN_COUNTS = 10
+RANKS = 2
+"""So many of what carries a category are tried with pairs, the surest first."""
+_OF_KIND = 0.25  # a category is tried with a kind of pairs if it is so large a share of its targets
 _ALONE = 0.7  # share of what is left that rehearses pairs; the rest rehearses among others
-_CHOICE_STREAM = 0x7063  # keeps these draws apart from those of other auditions and rehearsals
 
 
-def choose_for_pairs(search: Search, states: PairStates) -> Repertoire:
-    """Choose for each kind of pairs the actions that most surely bring it into each state.
+@dataclass(frozen=True)
+class Carriers:
+    """What carries objects to places, as it is aimed at other objects.
 
-    States in which targets lean are left out. The chances of the states that bear are predicted, in their
-    order.
+    Attributes:
+        places: What carries objects to places.
+        categorise: Gives the object symbols of features.
+        encode: Gives actions their symbols among those that are aimed at other objects.
     """
-    box, candidates = made(search.shown).action_box, search.candidates
-    sample = sample_by_category(
-        made(search.shown), search.categorise, least=_OF_A_KIND, seed=search.seed, stream=_CHOICE_STREAM
-    )
-    foreseen = {}
-    for kind, scenes in sample.scenes.items():
-        features = np.concatenate([scene.features for scene in scenes])
-        actions = np.concatenate([moved(one, len(features), box, search.seed) for one in candidates])
-        chances = np.clip(search.predict(np.tile(features, (len(candidates), 1)), actions), 0.0, 1.0)
-        foreseen[kind] = chances.reshape(len(candidates), len(features), -1)  # (C, N, S)
-    contests: list[tuple[Symbol, str, Contest]] = []
-    for state in states.straight:
-        column = states.bearing.index(state)
-        of_state = {kind: chances[:, :, column] for kind, chances in foreseen.items()}
-        reach = sum(sample.shares[kind] * chances.max(0).mean() for kind, chances in of_state.items())
-        for kind, chances in of_state.items():
-            worth = float(WORTH * reach / sample.shares[kind])
-            begun = _contests(candidates, chances, sample, kind, states, state, worth)
-            contests += [(kind, state, contest) for contest in begun]
-    contests.sort(key=lambda one: [*foreseen].index(one[0]))
-    every = [contest for *_, contest in contests]
-    with search.open_bar("auditioning for each kind of pairs") as advance:
-        perform = search.performer(search.shown, advance)
-        hold(every, perform, budget=search.for_choosing, least=LEAST_GAIN)
-    chosen: dict[Symbol, list[Primitive]] = {kind: [] for kind in foreseen}
-    for kind, _, contest in contests:
-        for one in contest.best(1.0):
-            if one not in chosen[kind] and contest.judged(one).sureness >= LEAST:
-                chosen[kind].append(one)
-    best: dict[str, Primitive] = {}  # of each symbol what encodes to it best; it names the others
-    for one in sorted(candidates, key=lambda one: (one.symbol, one.code_error)):
-        best.setdefault(one.symbol, one)
+
+    places: OperatorTable
+    categorise: Categorise
+    encode: Callable[[Float[np.ndarray, "N A"]], tuple[Primitive, ...]]
+
+    def __call__(
+        self, action: Float[np.ndarray, "A"], features: Float[np.ndarray, "F"]
+    ) -> Float[np.ndarray, "A"]:
+        """Aim an action over the middle of another object, for a target of these features; see `set_over`."""
+        (category,) = symbols_of(self.categorise, features[None])
+        return set_over(self.places, action.tolist(), category, tuple(features.tolist()))
+
+    def fits(self, primitive: Primitive, scene: Scene) -> bool:
+        """Say whether an action is known to carry the target of a pair."""
+        assert isinstance(scene, RelatedScene), "drawn from a world in which actions are aimed at objects"
+        (category,) = symbols_of(self.categorise, scene.whole.features[[TARGET]])
+        return any(one.subject == category for one in carrying_with(self.places, primitive.action))
+
+    def of(self, category: Symbol) -> tuple[Primitive, ...]:
+        """Return what carries a category most surely, as primitives that are aimed at other objects."""
+        known = [
+            one
+            for one in self.places.operators
+            if one.subject == category
+            and one.promise
+            and one.promise.kind == "carried"
+            and one.successes >= LEAST_CHANCE * one.trials
+        ]
+        surest = sorted(known, key=lambda one: (-one.chance, one.name))[:RANKS]
+        actions = [labelled(self.places.primitives, one.label).action for one in surest]
+        return self.encode(np.array(actions)) if actions else ()
+
+
+def carriers_for_pairs(search: Search, carriers: Carriers) -> Repertoire:
+    """Choose for each kind of pairs what carries its targets.
+
+    Raises:
+        InvalidValue: If nothing carries any.
+    """
     pairs = rehearsal_sample(
         made(search.shown), search.categorise, objects=search.objects, seed=search.seed
     ).scenes
-    own = [(kind, one) for kind, ones in chosen.items() for one in ones]
-    seen = [len(search.ledger.recall(tasks_of(one, pairs.get(kind, [])))) for kind, one in own]
-    enough = search.affordable(seen, [len(pairs.get(kind, [])) for kind, _ in own], _ALONE)
+    chosen = dict[Symbol, list[Primitive]]()
+    for kind, scenes in pairs.items():
+        targets = np.array([scene.whole.features[TARGET] for scene in scenes])  # type: ignore[attr-defined]
+        counts = Counter(symbols_of(carriers.categorise, targets))
+        often = [one for one, count in counts.most_common() if count >= _OF_KIND * len(scenes)]
+        chosen[kind] = [primitive for category in often for primitive in carriers.of(category)]
+    own = [(kind, one) for kind, some in chosen.items() for one in some]
+    if not own:
+        raise InvalidValue("Nothing carries objects to places, so nothing can be put on others.")
+    seen = [len(search.ledger.recall(tasks_of(one, pairs[kind]))) for kind, one in own]
+    enough = search.affordable(seen, [len(pairs[kind]) for kind, _ in own], _ALONE)
     times = {pair: max(count, enough) for pair, count in zip(own, seen, strict=True)}
-    return with_own([*best.values()], chosen, times)
-
-
-def _contests(
-    candidates: Sequence[Primitive],
-    chances: Float[np.ndarray, "C N"],
-    sample: Sample,
-    kind: Symbol,
-    states: PairStates,
-    state: str,
-    worth: float,
-) -> list[Contest]:
-    """Begin contests for a kind and a state: on those pairs first of which most can be brought there.
-
-    A further action adds so much to the mean chance, at least, that it is worth it.
-    """
-    scenes, nowhere = sample.scenes[kind], np.zeros(4)
-    begun, known = list[Contest](), np.zeros(len(scenes))
-
-    def judge(outcomes: Sequence[Outcome]) -> Judgement:
-        return Judgement("carried", nowhere, sureness([watch(one, states) for one in outcomes], state))
-
-    while True:
-        gains = np.maximum(chances - known, 0.0)
-        best = int(gains.mean(1).argmax())
-        if begun and gains[best].mean() <= worth:
-            return begun
-        pairs = np.sort(np.argsort(-gains[best], kind="stable")[:PAIRS])
-        mean = chances[:, pairs].mean(1)
-        counts, few = Counter[Symbol](), dict[Primitive, Judgement]()
-        for number in np.argsort(-mean, kind="stable").tolist():
-            one = candidates[number]
-            if mean[number] >= LEAST and counts[one.symbol] < _OF_SYMBOL and len(few) < CANDIDATES:
-                counts[one.symbol] += 1
-                few[one] = Judgement("carried", nowhere, float(mean[number]))
-        share = sample.shares[kind] * float(gains[best].mean())
-        some = [scenes[row] for row in pairs]
-        begun.append(Contest(share, some, [[*few]], few, judge, _FORESEEN_COUNTS))
-        known = np.maximum(known, chances[best])
+    shared: dict[Symbol, Primitive] = {}
+    for _, one in own:
+        shared.setdefault(one.symbol, one)
+    return replace(with_own([*shared.values()], chosen, times), fits=carriers.fits)
 
 
 # Rehearsals on pairs: into which states operators bring them, and where others rest on them already
@@ -189,7 +159,9 @@ def tabulate_pairs(
     return RelationOperators(states.states, states.scales, kinds, rehearsals.primitives, tuple(operators))
 
 
-def rehearse_among(search: Search, table: RelationOperators, rehearsals: Rehearsals) -> RelationOperators:
+def rehearse_among(
+    search: Search, table: RelationOperators, rehearsals: Rehearsals, carriers: Carriers
+) -> RelationOperators:
     """Rehearse operators where a third object is borne, or bears, as earlier rehearsals left it.
 
     These begin from the ends of others.
@@ -207,10 +179,14 @@ def rehearse_among(search: Search, table: RelationOperators, rehearsals: Rehears
     motions = dict.fromkeys((one.subject, one.label) for one in worthy.values())
     keys = [(*motion, how) for motion in motions for how in pool]
     most = min(AMONG, search.left // max(1, len(keys)))
-    tasks = [tasks_of(primitives[label], pool[how].get(pair, [])[:most]) for pair, label, how in keys]
-    factory = RelatedFactory(search.world_factory)
+
+    def tasks_among(pair: Symbol, label: str, how: Company) -> list[Task]:
+        fit = (one for one in pool[how].get(pair, []) if carriers.fits(primitives[label], one))
+        return tasks_of(primitives[label], islice(fit, most))
+
+    tasks = [tasks_among(*key) for key in keys]
     with search.open_bar("rehearsing where pairs bear others") as advance:
-        ended = perform_each(search.ledger, factory, tasks, REHEARSED, advance)
+        ended = perform_each(search.ledger, search.shown, tasks, REHEARSED, advance)
         performed = dict(zip(keys, ended, strict=True))
 
     def kept(one: Operator, how: Company) -> tuple[Company, Kept]:
