@@ -133,11 +133,54 @@ def test_after_an_operator_failed_twice_with_a_pair_another_one_is_tried():
     learned = grounding()
     first = learned.relations.operators[0]
     (end,) = first.outcomes
-    second = replace(first, name="second", outcomes=(replace(end, count=18, near_mean=18),))
-    both = replace(learned.relations, operators=(first, second, *learned.relations.operators[1:]))
+    second = replace(first, name="second", variant="b", outcomes=(replace(end, count=18, near_mean=18),))
+    motions = (*learned.relations.primitives, replace(learned.relations.primitives[0], variant="b"))
+    operators = (first, second, *learned.relations.operators[1:])
+    both = replace(learned.relations, primitives=motions, operators=operators)
     learned = replace(learned, relations=both)
     steps = plan(tower(), learned).steps
     run = execute(Spoiled(1, 2), tower(), learned, steps, replanner=replanner)
     of_pair = [step.operator for step in run.steps if step.object == "item-03"]
     assert of_pair == [PUT_ON, PUT_ON, "second"]
     assert run.reached
+
+
+class Stubborn(Aimed):
+    """The toy world, in which the object that is acted upon at first cannot be grasped."""
+
+    def __init__(self) -> None:
+        super().__init__(WORLD)
+        self.never: int | None = None
+
+    def interact(self, scene, action, target, **options):
+        """Act, with an open hand if it is to fail."""
+        self.never = target if self.never is None else self.never
+        action = np.array(action)
+        action[7] = 1.0 if target == self.never else action[7]
+        return WORLD.interact(scene, action, target, **options)
+
+
+TWO = Problem(
+    "two",
+    scene(("cube", 0.5, -0.2), ("block", 0.5, 0.1), ("cube", 0.7, -0.1), ("block", 0.8, 0.15)),
+    {},
+    0.02,
+    relations=(("item-01", "item-02", REST), ("item-03", "item-04", REST)),
+)
+"""Two pairs that have nothing to do with each other."""
+
+
+def test_pair_that_fails_does_not_keep_others_from_being_put_together():
+    run = execute(Stubborn(), TWO, grounding(), planned(TWO), replanner=replanner)
+    assert len(run.unmet) == 1
+    assert [record.object for record in run.steps if record.as_promised] == [
+        next(name for name in ("item-01", "item-03") if name != run.unmet[0][0])
+    ]
+
+
+@pytest.mark.parametrize(("share", "tries"), [(0.9, 4), (0.2, 1)])
+def test_what_is_hardly_foreseen_of_a_pair_is_tried_once(share, tries):
+    pair = Problem("pair", TWO.objects[:2], {}, 0.02, relations=TWO.relations[:1])
+    known = replace(pair, pairs={"item-01 item-02": "01"}, foreseen={"item-01 item-02": {PUT_ON: share}})
+    run = execute(Spoiled(), known, grounding(), planned(known), replanner=replanner)
+    assert len(run.steps) == tries
