@@ -131,7 +131,7 @@ SAID = {
     "tabletop": ["lift item-03", "lift item-03", "lift item-05"],
     "tabletop-paper": ["push forward right item-03", "lift item-05"],
     "row": [f"carry item-0{number} to its goal" for number in (4, 3, 2, 1)],
-    "tower": ["item-03 rests on item-04", "item-01 rests on item-03", "item-05 rests on item-01"],
+    "boxes": ["item-03 rests on item-04", "item-05 rests on item-02", "item-06 rests on item-01"],
 }
 
 

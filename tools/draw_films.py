@@ -31,7 +31,7 @@ FILMS = {
     "tabletop": ("tabletop", "task-17"),
     "tabletop-paper": ("tabletop-paper", "task-17"),
     "row": ("places", "row-4-12"),
-    "tower": ("towers", "tower-6-08"),
+    "boxes": ("towers", "boxes-6-12"),
 }
 """The domain and the problem of each film, by the name of its file."""
 SIZE, FOOT, TEXT = (400, 300), 26, 15  # pixels

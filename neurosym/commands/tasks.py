@@ -227,7 +227,7 @@ def _like(scene: Path | None) -> Iterator[str]:
 
     if scene is not None:
         for item in Problem.load(scene).objects:
-            yield f"{item.name}={','.join(f'{value:g}' for value in item.position)}"
+            yield f"{item.name} at {','.join(f'{value:.4f}' for value in item.position)}"
 
 
 def _parse_relation(text: str) -> tuple[str, str, str]:

@@ -79,10 +79,18 @@ class Ledger:
         paid = takewhile(self._paid.__contains__, map(_key, tasks))
         return [self._rows[key][2] for key in paid]
 
-    def interactions(self, origin: dict[str, Any], count: int | None = None) -> Interactions:
-        """Return the first so many of what was performed, or all, as a data set of that origin."""
-        _, actions, outcomes = zip(*islice(self._rows.values(), count), strict=True)
-        return Interactions.from_outcomes(outcomes, np.array(actions), origin)
+    def interactions(
+        self, origin: dict[str, Any], count: int | None = None, objects: int | None = None
+    ) -> Interactions:
+        """Return the first so many of what was performed, or all, as a data set of that origin.
+
+        Those are left out in which there were not so many objects, if a number is given.
+        """
+        rows = islice(self._rows.values(), count)
+        kept = [row for row in rows if objects is None or len(row[2].start) == objects]
+        return Interactions.from_outcomes(
+            [outcome for *_, outcome in kept], np.array([action for _, action, _ in kept]), origin
+        )
 
     def perform(
         self,

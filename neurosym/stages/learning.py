@@ -4,7 +4,7 @@ All go the same way for each aim, in the world as the aim has it shown, with dat
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -190,14 +190,21 @@ def _learn_states(folder: DomainFolder, interactions: Interactions, held: Held, 
 
 
 def _foresee(folder: DomainFolder, aim: Aim, ledger: Ledger, regime: str, seed: int) -> "DirectModel":
-    """Learn from all that happened to foresee into which states pairs come."""
+    """Learn from all that happened to pairs alone to foresee into which states they come.
+
+    Actions count as they were performed, aimed over the middle. How it turns out among others is counted by
+    operators.
+    """
     from neurosym.learning.state_codes import fit_chances
 
     explored = Interactions.load(folder.require(aim.file(layout.INTERACTIONS)))
     states = PairStates.load(folder.require(aim.file(layout.STATES)))
+    performed, carriers = ledger.interactions(explored.origin, objects=2), carriers_of(folder)
+    targets = performed.features[:, : performed.features.shape[1] // 2]
+    aimed = np.array([*map(carriers, performed.actions, targets)]).reshape(performed.actions.shape)
     with progress_bar("learning what is foreseen of pairs") as advance:
         return fit_chances(
-            explored.join(ledger.interactions(explored.origin)),
+            explored.join(replace(performed, actions=aimed)),
             states,
             regime_named(regime).training,
             seed=seed,

@@ -8,12 +8,15 @@ from pathlib import Path
 from typing import Any, cast, get_args
 
 import msgspec
+import numpy as np
 
+from neurosym.checks import Float
 from neurosym.choices import AnyTask, TaskKind
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import digest
+from neurosym.formats import PlaceFile
 from neurosym.grounding import Grounding
-from neurosym.operators import LEAST_SHARE, TOLERANCE, Categorise
+from neurosym.operators import LEAST_SHARE, TOLERANCE, Categorise, symbols_of
 from neurosym.pair_operators import PairStates, RelationOperators
 from neurosym.pddl.problem_check import check_relations, relations_meant
 from neurosym.problems import Problem, RelationGoal, check_on_table
@@ -24,7 +27,7 @@ from neurosym.stages.planning import check_scene, remarks_on_number, tell_remark
 from neurosym.tasks.conditions import as_conditions, conditions_in
 from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.options import puts_for
-from neurosym.tasks.promises import performed_with
+from neurosym.tasks.promises import performed_with, set_over
 from neurosym.tasks.supports import PairSight, with_pairs
 from neurosym.world import World
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, Way, Ways, draw_relation_task
@@ -117,8 +120,21 @@ def sight_of_pairs(folder: DomainFolder) -> PairSight | None:
     kinds = EffectModel.load(folder / layout.RELATION_MODEL).object_symbols
     if not (folder / layout.RELATION_CHANCES).exists():
         return PairSight(kinds)
-    chances = foreseen_by(DirectModel.load(folder / layout.RELATION_CHANCES))
-    return PairSight(kinds, chances, PairStates.load(folder.require(layout.RELATION_STATES)).bearing)
+    foresee = foreseen_by(DirectModel.load(folder / layout.RELATION_CHANCES))
+    bearing = PairStates.load(folder.require(layout.RELATION_STATES)).bearing
+    if not (folder / layout.PLACE_OPERATORS).exists():
+        return PairSight(kinds, foresee, bearing)
+    places = PlaceFile.load(folder / layout.PLACE_OPERATORS).table()
+    categorise = EffectModel.load(folder.require(layout.MODEL)).object_symbols
+
+    def chances(features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]) -> np.ndarray:
+        """Foresee what comes of actions as these are performed with such targets; see `set_over`."""
+        targets = features[:, : features.shape[1] // 2]
+        rows = zip(actions.tolist(), symbols_of(categorise, targets), targets.tolist(), strict=True)
+        aimed = [set_over(places, tuple(action), one, tuple(target)) for action, one, target in rows]
+        return foresee(features, np.array(aimed))
+
+    return PairSight(kinds, chances, bearing)
 
 
 def _networks_of_pairs(folder: DomainFolder) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ comes within the tolerance of it meets the condition; where there is less room, 
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import islice, product
 
@@ -21,7 +21,7 @@ from neurosym.problems import Problem
 from neurosym.tasks import conditions
 from neurosym.tasks.conditions import Clause, options_of
 from neurosym.tasks.options import Put
-from neurosym.tasks.task import LEAST_GAP, drawn_spots, understand
+from neurosym.tasks.task import LEAST_GAP, drawn_spots, is_within, understand
 
 MOST_OPTIONS = 64
 """So many ways to meet all conditions are looked at, at most."""
@@ -29,7 +29,14 @@ LEAST_TOLERANCE = 0.01
 """Where bounds leave little room, goals are to be met within this all the same [m]."""
 _ROOM = 0.4  # how far inside of bounds a goal lies, as a share of their width, if not by the tolerance
 _NEAR_TURNED = 0.02  # how near its goal something comes that is turned on the way [m]
-_RING = 8  # spots along each side of an object, where another one may stand next to it
+_RING = 8  # spots around a point, or along each side of an object, where another one may stand
+_LEVEL = 0.005  # so much higher or lower than is asked for counts as level [m]
+
+
+def _ring() -> Float[np.ndarray, "K 2"]:
+    """Return directions all around."""
+    angles = np.linspace(0, 2 * np.pi, _RING, endpoint=False)
+    return np.column_stack([np.cos(angles), np.sin(angles)])
 
 
 @dataclass
@@ -104,18 +111,22 @@ class _Choice:
     def __init__(self, sight: conditions.Sight, grounding: Grounding, clauses: Sequence[Clause]):
         self._sight, self._grounding, self._problem = sight, grounding, sight.problem
         self._needs, self._over = dict[str, _Need](), dict[str, tuple[str, str]]()
-        self._tolerance = self._problem.tolerance
+        self._tolerance, self._ends = self._problem.tolerance, dict[str, Float[np.ndarray, "3"]]()
         fewest_first = sorted(clauses, key=lambda clause: len(clause.names) - clause.count)
         for clause in fewest_first:
             for name in self._chosen(clause):
                 self._ask(name, clause)
         for name in [name for name in self._needs if name in self._over]:
             self._hand_down(name)
+        for name in [name for name in self._needs if name in sight.supports and self._may_stay(name)]:
+            bearer = sight.supports[name]
+            self._over[name] = bearer.by, bearer.state.name
+            del self._needs[name]
 
     def problem(self) -> Problem:
         """Return the problem with goals."""
-        relations = tuple((name, other, state) for name, (other, state) in self._over.items())
         goals = {name: self._goal(name, spot) for name, spot in self._spots().items()}
+        relations = tuple((name, other, state) for name, (other, state) in self._over.items())
         headings = {name: need.heading for name, need in self._needs.items() if need.heading is not None}
         asked = self._problem.tolerance
         tolerance = min(max(round(self._tolerance, 4), LEAST_TOLERANCE), asked)
@@ -219,14 +230,61 @@ class _Choice:
         found, left = dict[str, Float[np.ndarray, "2"]](), dict(self._needs)
         while left:
             waits = [name for name in left if not any(one.other in left for one in left[name].beside)]
-            name = min(waits or left, key=lambda one: (not self._may_stay(one), one))
+            name = min(waits or left, key=lambda one: (not self._may_stay(one), self._height(one), one))
             others = {
                 other: found.get(other, self._sight.places[other][:2])
                 for other in self._problem.object_names
                 if other != name and (other in found or (other not in left and other not in self._raised))
             }
-            found[name] = self._spot(name, left.pop(name), others)
+            above = {one: self._sight.places[one][:2] for one in self._sight.supports if one not in left}
+            need = left.pop(name)
+            spot = self._spot(name, need, above | others)
+            if spot is not None:
+                found[name] = spot
+            elif below := self._put_near(name, need, others):  # which stays where it is, then
+                found.setdefault(below, others[below])
         return found
+
+    def _put_near(self, name: str, need: _Need, others: Mapping[str, Float[np.ndarray, "2"]]) -> str:
+        """Ask for an object to be on another one, as it comes most surely to the height that is asked for.
+
+        Returns:
+            What stands on the table and shall bear it; nothing if that is on something itself.
+
+        Raises:
+            InvalidValue: If nothing brings it there.
+        """
+        middles = {other: np.array([*spot, self._sight.places[other][2]]) for other, spot in others.items()}
+        middles |= {other: self._ends.get(other, self._sight.places[other]) for other in self._over}
+        laden = {bearer for bearer, _ in self._over.values()}
+        found = list[tuple[float, str, str, Float[np.ndarray, "3"]]]()
+        may_be = "z" in need.bounds and need.heading is None and self._grounding.relations
+        for other in middles.keys() - need.off if may_be else ():
+            reach = (self._sight.sizes[name] + self._sight.sizes[other]) / 2
+            for put in self._puts(name, other):
+                end = middles[other] + put.end.effect[:3] * reach
+                is_free = other not in laden or put.operator.takes("occupied")
+                if is_free and self._is_near(end, need):
+                    found.append((put.chance, other, put.state.name, end))
+        if not found:
+            said = f"There is no room on the table for all that is asked of {name}"
+            if "z" in need.bounds:
+                said += f", and nothing that was learned puts it there at z = {need.bounds['z'][0]:g} m"
+            raise InvalidValue(f"{said}.")
+        _, other, state, self._ends[name] = max(found, key=lambda one: one[:3])
+        self._over[name] = other, state
+        return other if other in others else ""
+
+    def _is_near(self, end: Float[np.ndarray, "3"], need: _Need) -> bool:
+        """Say whether an end is so far inside of what is asked for that it may be missed by a little."""
+        off = 0.0
+        for axis, (low, high) in need.bounds.items():
+            value = float(end["xyz".index(axis)])
+            if low == high:
+                off = math.hypot(off, value - low)
+            elif not low + LEAST_TOLERANCE <= value <= high - LEAST_TOLERANCE:
+                return False
+        return off <= self._problem.tolerance - LEAST_TOLERANCE
 
     @property
     def _raised(self) -> set[str]:
@@ -245,8 +303,8 @@ class _Choice:
 
     def _spot(
         self, name: str, need: _Need, others: dict[str, Float[np.ndarray, "2"]]
-    ) -> Float[np.ndarray, "2"]:
-        """Return the nearest spot that will do, where others stand elsewhere."""
+    ) -> Float[np.ndarray, "2"] | None:
+        """Return the nearest spot on the table that will do, where others stand elsewhere; None if none."""
         here, size = self._sight.places[name][:2], self._sight.sizes[name][:2]
         low, high = self._inside(need)
         if self._may_stay(name):
@@ -259,12 +317,46 @@ class _Choice:
         inside = np.all((spots >= low - 1e-9) & (spots <= high + 1e-9), axis=1)
         if is_to_turn:  # it is to be carried, so its goal must not be met where it is
             spots, inside = self._moved_aside(spots, inside, here, need)
-        asked = {other: spot for other, spot in others.items() if other in self._needs}
+        asked = {other: spot for other, spot in others.items() if other in self._needs or other in self._over}
         near = {one.other: others[one.other] for one in need.beside if one.other in others}
-        for kept in (others, asked | near):  # what nothing is asked of may be moved out of the way
-            if (good := inside & self._has_room(name, need, spots, kept)).any():
+        around = () if is_to_turn else self._around(name, need)
+        is_level = self._is_level(name, need)
+        for kept in (others, asked | near) if is_level else (others,):
+            # what nothing is asked of may be moved out of the way, unless it may bear the object
+            good = inside & is_level & self._has_room(name, need, spots, kept)
+            if good.any():
                 return np.asarray(spots[good][np.linalg.norm(spots[good] - spots[0], axis=1).argmin()])
-        raise InvalidValue(f"There is no room on the table for all that is asked of {name}.")
+            for ring, left in around:
+                if (good := self._has_room(name, need, ring, kept)).any():
+                    self._tolerance = min(self._tolerance, left)
+                    need.bounds.pop("z", None)
+                    return np.asarray(ring[good][0])
+        return None
+
+    def _is_level(self, name: str, need: _Need) -> bool:
+        """Say whether an object that stands on the table is as high as is asked for."""
+        low, high = need.bounds.get("z", (0.0, math.inf))
+        return bool(low - _LEVEL <= self._sight.sizes[name][2] / 2 <= high + _LEVEL)
+
+    def _height(self, name: str) -> float:
+        """Return how high an object shall be, if it cannot be there on the table; else zero [m]."""
+        need = self._needs[name]
+        return 0.0 if self._is_level(name, need) else need.bounds["z"][0]
+
+    def _around(self, name: str, need: _Need) -> list[tuple[Float[np.ndarray, "K 2"], float]]:
+        """List spots on the table around a point, the nearest first, and by how much these may be missed."""
+        ends = [need.bounds.get(axis, (0.0, 1.0)) for axis in "xy"]
+        if any(low != high for low, high in ends):
+            return []
+        table, found = np.array([self._grounding.table.x, self._grounding.table.y]).T, []
+        rests, asked = self._sight.sizes[name][2] / 2, self._problem.tolerance
+        low, high = need.bounds.get("z", (rests, rests))
+        for away in np.linspace(0, asked, _RING):
+            spots = np.array(ends)[:, 0] + away * _ring()
+            left = asked - math.hypot(away, max(low - rests, rests - high, 0.0))
+            if left >= LEAST_TOLERANCE:
+                found.append((spots[is_within(spots, table)], left))
+        return found
 
     def _moved_aside(
         self,
@@ -278,9 +370,8 @@ class _Choice:
         ends = (need.bounds.get(axis, (0.0, 1.0)) for axis in "xy")
         is_point = all(low == high for low, high in ends)
         if is_point and aside + self._tolerance <= self._problem.tolerance:
-            angles = np.linspace(0, 2 * np.pi, _RING, endpoint=False)
-            ring = spots[0] + aside * np.column_stack([np.cos(angles), np.sin(angles)])
-            spots, inside = np.vstack([spots, ring]), np.append(inside, np.ones(_RING, dtype=bool))
+            spots = np.vstack([spots, spots[0] + aside * _ring()])
+            inside = np.append(inside, np.ones(_RING, dtype=bool))
         return spots, inside & (np.linalg.norm(spots - here, axis=1) > aside - 1e-6)
 
     def _check_turns(self, name: str) -> None:
@@ -338,6 +429,6 @@ class _Choice:
     def _goal(self, name: str, spot: Float[np.ndarray, "2"]) -> tuple[float, float, float]:
         """Return a spot as a goal, as high as its object rests there or as is asked for."""
         rests = float(self._sight.sizes[name][2]) / 2
-        low, high = self._needs[name].bounds.get("z", (rests, rests))
+        low, high = self._needs.get(name, _Need()).bounds.get("z", (rests, rests))
         x, y = (round(float(value), 4) for value in spot)
         return (x, y, round(min(max(rests, low), high), 4))

@@ -22,7 +22,7 @@ from neurosym.pair_operators import (
     RelationOperators,
     describe_pair,
     extent,
-    share_with_any,
+    shares_foreseen,
     tilt,
 )
 from neurosym.problems import Problem, pair_key
@@ -124,11 +124,12 @@ def _foreseen(
     predicted = sight.chances(features[[row for row, *_ in cases]], actions)
     known = {(row, column): 0.0 for row, _, column in cases}
     faint: dict[tuple[int, int], list[tuple[float, str]]] = {case: [] for case in known}
-    for (row, operator, column), of_states in zip(cases, predicted, strict=True):
-        chance = float(of_states[column])
-        share = chance if operator.subject else share_with_any(chance)
-        if share is None:
-            faint[row, column].append((chance, operator.name))
+    for (row, operator, column), rare, often in zip(
+        cases, predicted, shares_foreseen(predicted), strict=True
+    ):
+        share = float((often if operator.subject else rare)[column])
+        if not operator.subject and share < LEAST:
+            faint[row, column].append((share, operator.name))
             continue
         found[row][operator.name] = round(share, _DIGITS)
         known[row, column] = max(known[row, column], share)

@@ -18,11 +18,12 @@ FOUND = {
         {"status": "solved", "blind": {"reached": True}, "replanned": {"reached": True}},
     ],
     "three-into-three-0": [
-        {"status": "solved", "reached": True, "blind": False},
-        {"status": "solved", "reached": True, "blind": True},
+        {"status": "solved", "reached": True, "blind": False, "chance": 0.4},
+        {"status": "solved", "reached": True, "blind": True, "chance": 0.7},
     ],
-    "upright-0": {"tries": 30, "upright": 2, "moved": 20},
-    "upright-1": {"tries": 10, "upright": 0, "moved": 5},
+    "upright-0": {"tries": 30, "upright": [{"side": 0, "action": [0.0]}] * 2, "moved": 20},
+    "upright-1": {"tries": 10, "upright": [], "moved": 5},
+    "best-0": {"side": 0, "action": [0.0], "share": 0.5},
 }
 
 
@@ -30,8 +31,10 @@ def test_found_is_summed_up_and_told():
     told = evaluate.summarise(FOUND)
     assert told["turned"] == {"1": 1.0, "4": None}
     assert (told["goal_forms"], told["boxes"]) == (1, {"blind": 0.5, "replanned": 1.0})
-    assert told["upright"] == {"tries": 40, "upright": 2, "moved": 25}
+    assert told["upright"] == {"tries": 40, "upright": 2, "moved": 25, "best": [0.5]}
+    assert told["chances"] == [{"plans": 2, "said": 0.55, "came": 0.5}]
     page = evaluate.page(told)
+    assert "| 2 | 55 % | 50 % (9 to 91) |" in page
     assert "| form: next to | 1 | 1 |" in page
     assert "*form: next to*: There is no room. (1)" in page
     assert "Of 40 random actions" in page

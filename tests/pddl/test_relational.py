@@ -121,11 +121,11 @@ def test_of_two_that_look_as_if_each_bore_the_other_the_one_bears_that_goals_ask
 
 
 def test_kinds_of_pairs_and_relations_are_kept_in_files_and_old_ones_have_none(tmp_path: Path):
-    path, problem = tmp_path / "new.json", seen(tower())
+    path, problem = tmp_path / "new.json", seen(tower(), lying=0.0)
     assert problem.pairs["item-01 item-02"] == "01"
     problem.save(path)
     assert Problem.load(path) == problem
-    path.write_text(path.read_text().replace("0.95", "1.95", 1))
+    path.write_text(path.read_text().replace("0.987", "1.987", 1))
     with pytest.raises(InvalidFile, match="<= 1"):
         Problem.load(path)
     toy_places.swap().save(tmp_path / "old.json")
@@ -220,16 +220,16 @@ def seen(problem: Problem, **foreseen: float) -> Problem:
 
 def test_each_pair_is_asked_for_the_operators_of_its_kind():
     problem = seen(sorting(), on=0.75, lying=0.3)
-    assert problem.foreseen["item-01 item-02"] == {PUT_ON: 0.75, ON_ANY: 0.45, IN_ANY: 0.2}
-    assert problem.foreseen["item-01 item-04"] == {PUT_IN: 0.3, ON_ANY: 0.45, IN_ANY: 0.2}
-    assert problem.foreseen["item-04 item-01"] == {ON_ANY: 0.45, IN_ANY: 0.2}
+    assert problem.foreseen["item-01 item-02"] == {PUT_ON: 0.714, ON_ANY: 0.75, IN_ANY: 0.3}
+    assert problem.foreseen["item-01 item-04"] == {PUT_IN: 0.286, ON_ANY: 0.75, IN_ANY: 0.3}
+    assert problem.foreseen["item-04 item-01"] == {ON_ANY: 0.75, IN_ANY: 0.3}
     assert set(problem.pairs) == {f"{one} {other}" for one, other in permutations(problem.object_names, 2)}
 
 
 def test_what_is_only_faintly_foreseen_is_offered_where_a_goal_asks_for_it():
     problem, learned = seen(sorting(), on=0.9, lying=0.06), grounding()
     pair, state = ("item-04", "item-01"), learned.relations.state_named("lies-in-010").name
-    assert problem.foreseen["item-04 item-01"] == {ON_ANY: 0.54, IN_ANY: 0.06}
+    assert problem.foreseen["item-04 item-01"] == {ON_ANY: 0.9, IN_ANY: 0.06}
     assert [put.name for put in puts_for(problem, learned, *pair)] == [ON_ANY]
     asked = replace(problem, relations=((*pair, state),))
     assert [put.name for put in puts_for(asked, learned, *pair)] == [IN_ANY, ON_ANY]
@@ -242,7 +242,7 @@ def test_what_is_only_faintly_foreseen_is_offered_where_a_goal_asks_for_it():
 
 
 def test_what_is_hardly_foreseen_is_not_planned_with_and_has_hardly_a_chance():
-    problem, learned = seen(tower(), on=0.01, lying=0.01), grounding()
+    problem, learned = seen(tower(), on=0.004, lying=0.004), grounding()
     assert puts_for(problem, learned, "item-01", "item-03") == ()
     assert "(can-put " not in problem_text(problem, learned)
     result = plan(problem, learned)
@@ -260,7 +260,7 @@ def test_cost_is_that_of_the_pair_and_more_where_a_third_object_spoils_it():
     assert put is not None
     problem = seen(sorting(), lying=0.3)
     of_pair = put.with_pair(problem, "item-01", "item-04")
-    assert of_pair.chance == 0.3
+    assert of_pair.chance == 0.3  # the nearest of `SHARES`
     assert dataclasses.replace(of_pair, case={"occupied"}).chance < of_pair.chance
     task = understand(problem, learned)
     at_first = [one for one in task.put_options["item-01", "item-04"] if one.name == PUT_IN]

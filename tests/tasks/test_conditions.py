@@ -45,6 +45,8 @@ FORMS = (
     "2 of item-01,item-02,item-03 y=..-0.05",
     "item-04 on item-03 and item-04 at 0.6,-0.15",
     "1 of 01 x=..0.5 and all 10 x=0.6..",
+    "item-04 at 0.6,0.1,0.06",
+    "item-01 at 0.6,0.14",
 )
 
 
@@ -58,7 +60,8 @@ def ended(asked: Problem, *, off: float = 0.0, seed: int = 0) -> Problem:
     for target, reference, _ in asked.relations:
         x, y, z = asked.goals.get(reference) or asked.object_named(reference).position
         moved[target.replace("-", "_")] = (x, y, z + 0.04)
-    return msgspec.structs.replace(scene(*asked.conditions, **moved), tolerance=asked.tolerance)
+    known = {"tolerance": asked.tolerance, "asked_within": asked.asked_within}
+    return msgspec.structs.replace(scene(*asked.conditions, **moved), **known)
 
 
 @pytest.mark.parametrize("text", FORMS)
@@ -84,6 +87,23 @@ def test_what_is_on_another_is_taken_off_it():
     assert [*asked.goals] == ["item-02"]
     assert np.hypot(asked.goals["item-02"][0] - 0.6, asked.goals["item-02"][1] - 0.1) > 0.05
     assert [*unmet_conditions(scene("item-02 on item-03", "item-03 under item-02", **ON), TOWERS)] == []
+
+
+def test_what_is_to_be_higher_than_on_the_table_is_put_on_another():
+    over = scene("item-01 at 0.61,0.1,0.06 and item-04 at 0.6,0.1,0.1")
+    assert [(one, other) for one, other, _ in with_goals(over, TOWERS).relations] == [
+        ("item-01", "item-03"),
+        ("item-04", "item-01"),
+    ]
+    stays = with_goals(scene("item-02 at 0.6,0.1,0.06 and item-04 at 0.6,-0.2", **ON), TOWERS)
+    assert [(one, other) for one, other, _ in stays.relations] == [("item-02", "item-03")]
+    assert stays.unmet == ("item-04",)
+
+
+def test_a_point_where_another_stands_is_approached_beside_it():
+    asked = with_goals(scene("item-01 at 0.6,0.14 and item-03 at 0.6,0.1"), TOWERS)
+    assert asked.goals["item-01"][1] > 0.16
+    assert asked.tolerance + asked.goals["item-01"][1] - 0.14 <= 0.05 + 1e-6
 
 
 def test_the_option_that_moves_least_is_taken():
@@ -132,6 +152,7 @@ def test_little_room_makes_the_tolerance_small():
         ("item-01 y=0.. and item-01 y=..-0.1", "What is asked of item-01 contradicts itself"),
         ("item-01 on item-02 and item-01 on item-03", "item-01 shall be on item-02 and on item-03"),
         ("", "There is an empty condition"),
+        ("item-01 at 0.6,-0.2,0.3", "nothing that was learned puts it there at z = 0.3 m"),
     ],
 )
 def test_conditions_that_cannot_be_are_refused(text: str, said: str):

@@ -9,7 +9,7 @@
     item-03 - solid-low-narrow-01
     item-04 - hollow-wide-00
     start-item-01 start-item-02 start-item-03 start-item-04 goal-item-01 goal-item-02 goal-item-03 goal-item-04 park-01 park-02 park-03 park-04 - spot
-    cost4 cost12 cost31 cost37 cost44 cost59 cost70 cost89 cost106 cost112 cost121 cost123 cost141 cost157 cost159 cost182 - price)
+    cost4 cost12 cost35 cost37 cost56 cost59 cost70 cost74 cost82 cost89 cost112 cost121 cost144 cost174 cost196 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -54,7 +54,7 @@
     (can-carry item-02 from-spot cost4)
     (can-carry item-03 from-spot cost4)
     (can-carry item-04 from-spot cost4)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost31) 31) (= (cost cost37) 37) (= (cost cost44) 44) (= (cost cost59) 59) (= (cost cost70) 70) (= (cost cost89) 89) (= (cost cost106) 106) (= (cost cost112) 112) (= (cost cost121) 121) (= (cost cost123) 123) (= (cost cost141) 141) (= (cost cost157) 157) (= (cost cost159) 159) (= (cost cost182) 182)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost35) 35) (= (cost cost37) 37) (= (cost cost56) 56) (= (cost cost59) 59) (= (cost cost70) 70) (= (cost cost74) 74) (= (cost cost82) 82) (= (cost cost89) 89) (= (cost cost112) 112) (= (cost cost121) 121) (= (cost cost144) 144) (= (cost cost174) 174) (= (cost cost196) 196)
   )
   (:goal (and (done item-01) (done item-02) (done item-03) (done item-04)))
   (:metric minimize (total-cost)))

@@ -18,7 +18,7 @@
     x00 x01 x02 x03 x04 x05 x06 x07 x08 x09 x10 x11 x12 x13 x14 x15 x16 x17 x18 x19 x20 x21 x22 x23 x24 x25 x26 x27 x28 x29 x30 x31 x32 x33 x34 x35 x36 x37 x38 x39 x40 x41 x42 x43 x44 x45 x46 x47 x48 x49 x50 x51 x52 x53 x54 x55 x56 x57 x58 x59 x60 - x-cell
     dy-10 dy-6 dy-4 dy-3 dy-1 dy0 dy1 dy2 dy3 dy4 - y-shift
     y00 y01 y02 y03 y04 y05 y06 y07 y08 y09 y10 y11 y12 y13 y14 y15 y16 y17 y18 y19 y20 y21 y22 y23 y24 y25 y26 y27 y28 y29 y30 y31 y32 y33 y34 y35 y36 y37 y38 y39 y40 y41 y42 y43 y44 y45 y46 y47 y48 y49 y50 y51 y52 y53 y54 y55 y56 y57 y58 y59 y60 - y-cell
-    cost4 cost7 cost11 cost12 cost14 cost17 cost22 cost27 cost30 cost31 cost33 cost34 cost37 cost45 cost49 cost53 cost56 cost57 cost59 cost64 cost65 cost67 cost70 cost71 cost74 cost82 cost86 cost89 cost102 cost111 cost112 cost121 cost122 cost123 cost133 cost141 cost157 cost182 - price
+    cost4 cost7 cost11 cost12 cost14 cost15 cost17 cost20 cost22 cost23 cost27 cost30 cost31 cost32 cost33 cost34 cost37 cost38 cost42 cost49 cost53 cost56 cost57 cost64 cost65 cost67 cost70 cost77 cost82 cost86 cost90 cost111 cost121 cost133 cost141 - price
     spot-5306-m139 spot-5837-m2407 spot-6654-2227 spot-7645-m1568 - spot)
   (:init
     (hand-empty) (ready)
@@ -138,7 +138,7 @@
     (then item-03 spot-5837-m2407 start-item-02 nowhere)
     (then item-05 spot-5306-m139 start-item-03 nowhere)
     (then item-07 spot-7645-m1568 start-item-06 nowhere)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost14) 14) (= (cost cost17) 17) (= (cost cost22) 22) (= (cost cost27) 27) (= (cost cost30) 30) (= (cost cost31) 31) (= (cost cost33) 33) (= (cost cost34) 34) (= (cost cost37) 37) (= (cost cost45) 45) (= (cost cost49) 49) (= (cost cost53) 53) (= (cost cost56) 56) (= (cost cost57) 57) (= (cost cost59) 59) (= (cost cost64) 64) (= (cost cost65) 65) (= (cost cost67) 67) (= (cost cost70) 70) (= (cost cost71) 71) (= (cost cost74) 74) (= (cost cost82) 82) (= (cost cost86) 86) (= (cost cost89) 89) (= (cost cost102) 102) (= (cost cost111) 111) (= (cost cost112) 112) (= (cost cost121) 121) (= (cost cost122) 122) (= (cost cost123) 123) (= (cost cost133) 133) (= (cost cost141) 141) (= (cost cost157) 157) (= (cost cost182) 182)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost14) 14) (= (cost cost15) 15) (= (cost cost17) 17) (= (cost cost20) 20) (= (cost cost22) 22) (= (cost cost23) 23) (= (cost cost27) 27) (= (cost cost30) 30) (= (cost cost31) 31) (= (cost cost32) 32) (= (cost cost33) 33) (= (cost cost34) 34) (= (cost cost37) 37) (= (cost cost38) 38) (= (cost cost42) 42) (= (cost cost49) 49) (= (cost cost53) 53) (= (cost cost56) 56) (= (cost cost57) 57) (= (cost cost64) 64) (= (cost cost65) 65) (= (cost cost67) 67) (= (cost cost70) 70) (= (cost cost77) 77) (= (cost cost82) 82) (= (cost cost86) 86) (= (cost cost90) 90) (= (cost cost111) 111) (= (cost cost121) 121) (= (cost cost133) 133) (= (cost cost141) 141)
   )
   (:goal (and (done item-01) (done item-02) (done item-03) (done item-04) (done item-05) (done item-06) (done item-07) (done item-08)))
   (:metric minimize (total-cost)))

@@ -9,10 +9,10 @@
     item-03 - hollow-wide-00
     item-04 - solid-low-10
     start-item-01 start-item-02 start-item-03 start-item-04 park-01 park-02 park-03 park-04 - spot
-    rests-on-item-01 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 sits-in-item-04 - perch
+    rests-on-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 - perch
     n1 n2 - count
-    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 - way
-    cost4 cost7 cost12 cost28 cost37 cost57 cost70 cost82 cost90 cost102 cost121 cost138 - price)
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 - way
+    cost4 cost7 cost12 cost28 cost32 cost37 cost56 cost57 cost64 cost77 cost121 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -49,31 +49,28 @@
     (next n1 n2)
     ; on or in what
     (on rests-on-item-01 item-01)
+    (on rests-on-item-02 item-02)
     (on sits-in-item-02 item-02)
     (on rests-on-item-03 item-03)
     (on sits-in-item-03 item-03)
     (on rests-on-item-04 item-04)
-    (on sits-in-item-04 item-04)
     ; what puts one thing on or into another
-    (can-put item-01 sits-in-item-02 way11) (can-put item-01 rests-on-item-03 way3) (can-put item-01 sits-in-item-03 way13) (can-put item-01 rests-on-item-04 way10)
-    (can-put item-02 rests-on-item-01 way5) (can-put-loaded item-02 rests-on-item-01 way7) (can-put item-02 sits-in-item-03 way1) (can-put item-02 rests-on-item-04 way4) (can-put item-02 sits-in-item-04 way8)
-    (can-put item-03 rests-on-item-01 way12) (can-put item-03 sits-in-item-02 way6) (can-put item-03 rests-on-item-04 way2)
-    (can-put item-04 rests-on-item-03 way9)
+    (can-put item-01 rests-on-item-02 way3) (can-put item-01 rests-on-item-03 way3) (can-put item-01 rests-on-item-04 way3)
+    (can-put item-02 rests-on-item-01 way4) (can-put-loaded item-02 rests-on-item-01 way8) (can-put item-02 sits-in-item-03 way1) (can-put item-02 rests-on-item-04 way7)
+    (can-put item-03 rests-on-item-01 way9) (can-put item-03 rests-on-item-02 way10) (can-put item-03 sits-in-item-02 way6) (can-put item-03 rests-on-item-04 way2)
+    (can-put item-04 rests-on-item-03 way5)
     ; what that costs, by where the one is from, and what the other bears
     (fee way1 from-perch n0 cost12) (fee way1 from-perch n1 cost12) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost12)
     (fee way2 from-perch n0 cost12) (fee way2 from-spot n0 cost12)
     (fee way3 from-perch n0 cost28) (fee way3 from-spot n0 cost12)
-    (fee way4 from-perch n0 cost37) (fee way4 from-spot n0 cost37)
-    (fee way5 from-perch n0 cost57) (fee way5 from-spot n0 cost37)
-    (fee way6 from-perch n0 cost90) (fee way6 from-perch n1 cost90) (fee way6 from-spot n0 cost70) (fee way6 from-spot n1 cost70)
-    (fee way7 from-perch n0 cost102) (fee way7 from-spot n0 cost82)
-    (fee way8 from-perch n0 cost121) (fee way8 from-perch n1 cost121) (fee way8 from-spot n0 cost121) (fee way8 from-spot n1 cost121)
-    (fee way9 from-perch n0 cost121) (fee way9 from-spot n0 cost121)
-    (fee way10 from-perch n0 cost138) (fee way10 from-spot n0 cost121)
-    (fee way11 from-spot n0 cost37) (fee way11 from-spot n1 cost37)
-    (fee way12 from-spot n0 cost70)
-    (fee way13 from-spot n0 cost121) (fee way13 from-spot n1 cost121)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7) (= (cost cost12) 12) (= (cost cost28) 28) (= (cost cost37) 37) (= (cost cost57) 57) (= (cost cost70) 70) (= (cost cost82) 82) (= (cost cost90) 90) (= (cost cost102) 102) (= (cost cost121) 121) (= (cost cost138) 138)
+    (fee way4 from-perch n0 cost32) (fee way4 from-spot n0 cost12)
+    (fee way5 from-perch n0 cost37) (fee way5 from-spot n0 cost37)
+    (fee way6 from-perch n0 cost56) (fee way6 from-perch n1 cost56) (fee way6 from-spot n0 cost12) (fee way6 from-spot n1 cost12)
+    (fee way7 from-perch n0 cost64) (fee way7 from-spot n0 cost12)
+    (fee way8 from-perch n0 cost77) (fee way8 from-spot n0 cost57)
+    (fee way9 from-spot n0 cost37)
+    (fee way10 from-spot n0 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7) (= (cost cost12) 12) (= (cost cost28) 28) (= (cost cost32) 32) (= (cost cost37) 37) (= (cost cost56) 56) (= (cost cost57) 57) (= (cost cost64) 64) (= (cost cost77) 77) (= (cost cost121) 121)
   )
   (:goal (and (stands item-02 rests-on-item-04) (stands item-01 rests-on-item-03)))
   (:metric minimize (total-cost)))

@@ -10,10 +10,10 @@
     item-04 item-05 - solid-low-10
     item-06 - solid-low-narrow-01
     start-item-01 start-item-02 start-item-03 start-item-04 start-item-05 start-item-06 park-01 park-02 park-03 park-04 park-05 park-06 - spot
-    rests-on-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 sits-in-item-04 rests-on-item-05 sits-in-item-05 rests-on-item-06 sits-in-item-06 - perch
+    rests-on-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 sits-in-item-04 rests-on-item-05 rests-on-item-06 sits-in-item-06 - perch
     n1 n2 - count
-    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 way15 way16 - way
-    cost4 cost11 cost12 cost13 cost22 cost23 cost28 cost37 cost49 cost70 cost71 cost82 cost92 cost106 cost121 cost123 cost133 cost157 cost160 - price)
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 way15 - way
+    cost4 cost11 cost12 cost13 cost22 cost23 cost24 cost28 cost37 cost47 cost49 cost51 cost70 cost82 cost121 cost132 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -88,34 +88,32 @@
     (on rests-on-item-04 item-04)
     (on sits-in-item-04 item-04)
     (on rests-on-item-05 item-05)
-    (on sits-in-item-05 item-05)
     (on rests-on-item-06 item-06)
     (on sits-in-item-06 item-06)
     ; what puts one thing on or into another
-    (can-put item-01 rests-on-item-02 way8) (can-put item-01 rests-on-item-03 way12) (can-put item-01 rests-on-item-04 way7) (can-put item-01 rests-on-item-05 way4) (can-put item-01 rests-on-item-06 way12)
-    (can-put item-02 rests-on-item-01 way1) (can-put item-02 rests-on-item-03 way1) (can-put-loaded item-02 rests-on-item-03 way1) (can-put item-02 sits-in-item-03 way16) (can-put item-02 rests-on-item-04 way3) (can-put item-02 rests-on-item-05 way3) (can-put item-02 rests-on-item-06 way3)
-    (can-put item-03 rests-on-item-01 way14) (can-put item-03 rests-on-item-02 way10) (can-put item-03 sits-in-item-02 way16) (can-put item-03 rests-on-item-04 way11) (can-put item-03 sits-in-item-04 way13) (can-put item-03 rests-on-item-05 way10) (can-put item-03 sits-in-item-06 way9)
-    (can-put item-04 rests-on-item-01 way3) (can-put item-04 rests-on-item-02 way3) (can-put item-04 rests-on-item-03 way7) (can-put item-04 sits-in-item-03 way16) (can-put item-04 rests-on-item-05 way3) (can-put item-04 rests-on-item-06 way3)
-    (can-put item-05 rests-on-item-01 way5) (can-put item-05 rests-on-item-02 way3) (can-put item-05 rests-on-item-03 way5) (can-put item-05 sits-in-item-03 way16) (can-put item-05 rests-on-item-04 way3) (can-put item-05 rests-on-item-06 way7)
-    (can-put item-06 rests-on-item-01 way1) (can-put item-06 rests-on-item-02 way6) (can-put item-06 sits-in-item-02 way16) (can-put item-06 sits-in-item-03 way2) (can-put item-06 rests-on-item-04 way6) (can-put item-06 sits-in-item-04 way15) (can-put item-06 rests-on-item-05 way6) (can-put item-06 sits-in-item-05 way15)
+    (can-put item-01 rests-on-item-02 way8) (can-put item-01 rests-on-item-03 way6) (can-put item-01 rests-on-item-04 way8) (can-put item-01 rests-on-item-05 way6) (can-put item-01 rests-on-item-06 way5)
+    (can-put item-02 rests-on-item-01 way4) (can-put item-02 rests-on-item-03 way10) (can-put-loaded item-02 rests-on-item-03 way11) (can-put item-02 sits-in-item-03 way14) (can-put item-02 rests-on-item-04 way4) (can-put item-02 rests-on-item-05 way4) (can-put item-02 rests-on-item-06 way4)
+    (can-put item-03 rests-on-item-01 way13) (can-put item-03 rests-on-item-02 way1) (can-put item-03 sits-in-item-02 way12) (can-put item-03 rests-on-item-04 way1) (can-put item-03 sits-in-item-04 way12) (can-put item-03 rests-on-item-05 way1) (can-put item-03 sits-in-item-06 way7)
+    (can-put item-04 rests-on-item-01 way4) (can-put item-04 rests-on-item-02 way4) (can-put item-04 rests-on-item-03 way2) (can-put item-04 sits-in-item-03 way15) (can-put item-04 rests-on-item-05 way4) (can-put item-04 rests-on-item-06 way4)
+    (can-put item-05 rests-on-item-01 way8) (can-put item-05 rests-on-item-02 way9) (can-put item-05 rests-on-item-03 way4) (can-put item-05 rests-on-item-04 way8) (can-put item-05 rests-on-item-06 way8)
+    (can-put item-06 rests-on-item-01 way2) (can-put item-06 rests-on-item-02 way2) (can-put item-06 sits-in-item-03 way3) (can-put item-06 rests-on-item-04 way2) (can-put item-06 rests-on-item-05 way2)
     ; what that costs, by where the one is from, and what the other bears
-    (fee way1 from-perch n0 cost12) (fee way1 from-spot n0 cost12)
-    (fee way2 from-perch n0 cost22) (fee way2 from-perch n1 cost23) (fee way2 from-spot n0 cost12) (fee way2 from-spot n1 cost13)
-    (fee way3 from-perch n0 cost23) (fee way3 from-spot n0 cost12)
-    (fee way4 from-perch n0 cost28) (fee way4 from-spot n0 cost12)
-    (fee way5 from-perch n0 cost49) (fee way5 from-spot n0 cost37)
-    (fee way6 from-perch n0 cost71) (fee way6 from-spot n0 cost70)
-    (fee way7 from-perch n0 cost82) (fee way7 from-spot n0 cost70)
-    (fee way8 from-perch n0 cost92) (fee way8 from-spot n0 cost70)
-    (fee way9 from-perch n0 cost106) (fee way9 from-perch n1 cost106) (fee way9 from-spot n0 cost70) (fee way9 from-spot n1 cost70)
-    (fee way10 from-perch n0 cost121) (fee way10 from-perch n1 cost160) (fee way10 from-spot n0 cost121) (fee way10 from-spot n1 cost160)
-    (fee way11 from-perch n0 cost123) (fee way11 from-spot n0 cost121)
-    (fee way12 from-perch n0 cost133) (fee way12 from-spot n0 cost121)
-    (fee way13 from-perch n0 cost157) (fee way13 from-perch n1 cost157) (fee way13 from-spot n0 cost121) (fee way13 from-spot n1 cost121)
-    (fee way14 from-spot n0 cost37)
-    (fee way15 from-spot n0 cost70) (fee way15 from-spot n1 cost70)
-    (fee way16 from-spot n0 cost121) (fee way16 from-spot n1 cost121)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost13) 13) (= (cost cost22) 22) (= (cost cost23) 23) (= (cost cost28) 28) (= (cost cost37) 37) (= (cost cost49) 49) (= (cost cost70) 70) (= (cost cost71) 71) (= (cost cost82) 82) (= (cost cost92) 92) (= (cost cost106) 106) (= (cost cost121) 121) (= (cost cost123) 123) (= (cost cost133) 133) (= (cost cost157) 157) (= (cost cost160) 160)
+    (fee way1 from-perch n0 cost12) (fee way1 from-perch n1 cost51) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost51)
+    (fee way2 from-perch n0 cost12) (fee way2 from-spot n0 cost12)
+    (fee way3 from-perch n0 cost22) (fee way3 from-perch n1 cost23) (fee way3 from-spot n0 cost12) (fee way3 from-spot n1 cost13)
+    (fee way4 from-perch n0 cost23) (fee way4 from-spot n0 cost12)
+    (fee way5 from-perch n0 cost24) (fee way5 from-spot n0 cost12)
+    (fee way6 from-perch n0 cost28) (fee way6 from-spot n0 cost12)
+    (fee way7 from-perch n0 cost47) (fee way7 from-perch n1 cost47) (fee way7 from-spot n0 cost12) (fee way7 from-spot n1 cost12)
+    (fee way8 from-perch n0 cost49) (fee way8 from-spot n0 cost37)
+    (fee way9 from-perch n0 cost82) (fee way9 from-spot n0 cost70)
+    (fee way10 from-perch n0 cost121) (fee way10 from-spot n0 cost12)
+    (fee way11 from-perch n0 cost121) (fee way11 from-spot n0 cost121)
+    (fee way12 from-perch n0 cost132) (fee way12 from-perch n1 cost132) (fee way12 from-spot n0 cost121) (fee way12 from-spot n1 cost121)
+    (fee way13 from-spot n0 cost12)
+    (fee way14 from-spot n0 cost70) (fee way14 from-spot n1 cost70)
+    (fee way15 from-spot n0 cost121) (fee way15 from-spot n1 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost13) 13) (= (cost cost22) 22) (= (cost cost23) 23) (= (cost cost24) 24) (= (cost cost28) 28) (= (cost cost37) 37) (= (cost cost47) 47) (= (cost cost49) 49) (= (cost cost51) 51) (= (cost cost70) 70) (= (cost cost82) 82) (= (cost cost121) 121) (= (cost cost132) 132)
   )
-  (:goal (and (stands item-05 rests-on-item-02) (stands item-06 rests-on-item-01) (stands item-04 rests-on-item-03)))
+  (:goal (and (stands item-05 rests-on-item-02) (stands item-06 rests-on-item-01) (stands item-03 rests-on-item-04)))
   (:metric minimize (total-cost)))

@@ -9,17 +9,17 @@
     item-03 - solid-low-narrow-01
     item-04 - solid-low-10
     start-item-01 start-item-04 park-01 park-02 park-03 park-04 - spot
-    rests-on-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 rests-on-item-04 sits-in-item-04 - perch
+    rests-on-item-01 rests-on-item-02 rests-on-item-03 rests-on-item-04 - perch
     n1 n2 - count
-    way1 way2 way3 way4 way5 way6 way7 - way
-    cost4 cost12 cost22 cost32 cost57 cost77 cost121 cost132 cost182 - price)
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 - way
+    cost4 cost12 cost22 cost32 cost37 cost57 cost61 cost64 cost70 cost77 cost116 cost121 cost133 cost136 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
-    (stands item-01 start-item-01) (bears item-01 n1)
+    (stands item-01 start-item-01) (bears item-01 n1) (can-take item-01)
     (stands item-02 rests-on-item-01) (bears item-02 n0) (can-take item-02)
     (stands item-03 rests-on-item-04) (bears item-03 n0) (can-take item-03)
-    (stands item-04 start-item-04) (bears item-04 n1)
+    (stands item-04 start-item-04) (bears item-04 n1) (can-take item-04)
     ; park-01 lies at (0.7873, 0.1623) m
     (free park-01)
     (check item-02 park-01 nowhere)
@@ -45,22 +45,25 @@
     ; on or in what
     (on rests-on-item-01 item-01)
     (on rests-on-item-02 item-02)
-    (on sits-in-item-02 item-02)
     (on rests-on-item-03 item-03)
     (on rests-on-item-04 item-04)
-    (on sits-in-item-04 item-04)
     ; what puts one thing on or into another
-    (can-put item-02 rests-on-item-01 way3) (can-put-loaded item-02 rests-on-item-01 way4) (can-put item-02 rests-on-item-03 way3) (can-put-loaded item-02 rests-on-item-03 way4) (can-put item-02 rests-on-item-04 way1)
-    (can-put item-03 rests-on-item-01 way2) (can-put item-03 rests-on-item-02 way5) (can-put item-03 sits-in-item-02 way6) (can-put item-03 rests-on-item-04 way1) (can-put item-03 sits-in-item-04 way7)
+    (can-put item-01 rests-on-item-04 way9)
+    (can-put item-02 rests-on-item-01 way3) (can-put-loaded item-02 rests-on-item-01 way7) (can-put item-02 rests-on-item-03 way4) (can-put-loaded item-02 rests-on-item-03 way10) (can-put item-02 rests-on-item-04 way5)
+    (can-put item-03 rests-on-item-01 way2) (can-put item-03 rests-on-item-02 way2) (can-put item-03 rests-on-item-04 way1)
+    (can-put item-04 rests-on-item-01 way6) (can-put item-04 rests-on-item-02 way8)
     ; what that costs, by where the one is from, and what the other bears
     (fee way1 from-perch n0 cost12) (fee way1 from-spot n0 cost12)
     (fee way2 from-perch n0 cost22) (fee way2 from-spot n0 cost12)
     (fee way3 from-perch n0 cost32) (fee way3 from-spot n0 cost12)
-    (fee way4 from-perch n0 cost77) (fee way4 from-spot n0 cost57)
-    (fee way5 from-perch n0 cost132) (fee way5 from-spot n0 cost121)
-    (fee way6 from-perch n0 cost182) (fee way6 from-perch n1 cost182) (fee way6 from-spot n0 cost121) (fee way6 from-spot n1 cost121)
-    (fee way7 from-spot n0 cost121) (fee way7 from-spot n1 cost121)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost22) 22) (= (cost cost32) 32) (= (cost cost57) 57) (= (cost cost77) 77) (= (cost cost121) 121) (= (cost cost132) 132) (= (cost cost182) 182)
+    (fee way4 from-perch n0 cost61) (fee way4 from-spot n0 cost37)
+    (fee way5 from-perch n0 cost64) (fee way5 from-spot n0 cost12)
+    (fee way6 from-perch n0 cost70) (fee way6 from-spot n0 cost70)
+    (fee way7 from-perch n0 cost77) (fee way7 from-spot n0 cost57)
+    (fee way8 from-perch n0 cost121) (fee way8 from-spot n0 cost121)
+    (fee way9 from-perch n0 cost133) (fee way9 from-spot n0 cost121)
+    (fee way10 from-perch n0 cost136) (fee way10 from-spot n0 cost116)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost22) 22) (= (cost cost32) 32) (= (cost cost37) 37) (= (cost cost57) 57) (= (cost cost61) 61) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost77) 77) (= (cost cost116) 116) (= (cost cost121) 121) (= (cost cost133) 133) (= (cost cost136) 136)
   )
   (:goal (and (stands item-03 rests-on-item-01) (stands item-02 rests-on-item-04)))
   (:metric minimize (total-cost)))

@@ -6,10 +6,10 @@
   (:objects
     item-01 item-02 - hollow-wide-00
     start-item-01 start-item-02 park-01 park-02 - spot
-    rests-on-item-01 sits-in-item-01 rests-on-item-02 sits-in-item-02 - perch
+    rests-on-item-01 sits-in-item-02 - perch
     n1 n2 - count
-    way1 way2 way3 way4 - way
-    cost4 cost70 cost121 cost132 cost157 cost160 - price)
+    way1 way2 - way
+    cost4 cost12 cost48 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -31,18 +31,14 @@
     (next n1 n2)
     ; on or in what
     (on rests-on-item-01 item-01)
-    (on sits-in-item-01 item-01)
-    (on rests-on-item-02 item-02)
     (on sits-in-item-02 item-02)
     ; what puts one thing on or into another
-    (can-put item-01 rests-on-item-02 way1) (can-put item-01 sits-in-item-02 way2)
-    (can-put item-02 rests-on-item-01 way4) (can-put item-02 sits-in-item-01 way3)
+    (can-put item-01 sits-in-item-02 way1)
+    (can-put item-02 rests-on-item-01 way2)
     ; what that costs, by where the one is from, and what the other bears
-    (fee way1 from-perch n0 cost70) (fee way1 from-perch n1 cost160) (fee way1 from-spot n0 cost70) (fee way1 from-spot n1 cost160)
-    (fee way2 from-perch n0 cost132) (fee way2 from-perch n1 cost132) (fee way2 from-spot n0 cost70) (fee way2 from-spot n1 cost70)
-    (fee way3 from-perch n0 cost157) (fee way3 from-perch n1 cost157) (fee way3 from-spot n0 cost121) (fee way3 from-spot n1 cost121)
-    (fee way4 from-spot n0 cost70)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost70) 70) (= (cost cost121) 121) (= (cost cost132) 132) (= (cost cost157) 157) (= (cost cost160) 160)
+    (fee way1 from-perch n0 cost48) (fee way1 from-perch n1 cost48) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost12)
+    (fee way2 from-spot n0 cost12)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost48) 48)
   )
-  (:goal (and (stands item-01 rests-on-item-02)))
+  (:goal (and (stands item-02 rests-on-item-01)))
   (:metric minimize (total-cost)))

@@ -9,10 +9,10 @@
     item-03 - solid-low-narrow-01
     item-04 - hollow-wide-00
     start-item-01 start-item-02 start-item-03 start-item-04 park-01 park-02 park-03 park-04 - spot
-    rests-on-item-01 sits-in-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 sits-in-item-04 - perch
+    rests-on-item-01 sits-in-item-01 rests-on-item-02 rests-on-item-03 rests-on-item-04 sits-in-item-04 - perch
     n1 n2 - count
-    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 - way
-    cost4 cost11 cost12 cost27 cost31 cost34 cost35 cost37 cost49 cost64 cost70 cost74 cost84 cost86 cost121 cost123 cost141 cost157 cost182 - price)
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 - way
+    cost4 cost11 cost12 cost23 cost25 cost27 cost31 cost34 cost35 cost37 cost49 cost64 cost70 cost71 cost86 cost121 cost133 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -56,32 +56,28 @@
     (on rests-on-item-01 item-01)
     (on sits-in-item-01 item-01)
     (on rests-on-item-02 item-02)
-    (on sits-in-item-02 item-02)
     (on rests-on-item-03 item-03)
-    (on sits-in-item-03 item-03)
     (on rests-on-item-04 item-04)
     (on sits-in-item-04 item-04)
     ; what puts one thing on or into another
-    (can-put item-01 rests-on-item-02 way1) (can-put item-01 rests-on-item-03 way5) (can-put item-01 sits-in-item-04 way3)
-    (can-put item-02 rests-on-item-01 way6) (can-put item-02 rests-on-item-03 way9) (can-put item-02 sits-in-item-04 way14)
-    (can-put item-03 rests-on-item-01 way4) (can-put item-03 rests-on-item-02 way7) (can-put item-03 sits-in-item-02 way13) (can-put item-03 rests-on-item-04 way8) (can-put item-03 sits-in-item-04 way13)
-    (can-put item-04 sits-in-item-01 way2) (can-put item-04 rests-on-item-02 way10) (can-put item-04 sits-in-item-02 way11) (can-put item-04 rests-on-item-03 way10) (can-put item-04 sits-in-item-03 way12)
+    (can-put item-01 rests-on-item-02 way4) (can-put item-01 rests-on-item-03 way1) (can-put item-01 sits-in-item-04 way6)
+    (can-put item-02 rests-on-item-01 way10) (can-put item-02 rests-on-item-03 way2) (can-put item-02 sits-in-item-04 way11)
+    (can-put item-03 rests-on-item-01 way7) (can-put item-03 rests-on-item-02 way8) (can-put item-03 rests-on-item-04 way3)
+    (can-put item-04 sits-in-item-01 way5) (can-put item-04 rests-on-item-02 way12) (can-put item-04 rests-on-item-03 way9)
     ; what that costs, by where the one is from, and what the other bears
-    (fee way1 from-perch n0 cost27) (fee way1 from-spot n0 cost12)
-    (fee way2 from-perch n0 cost31) (fee way2 from-perch n1 cost31) (fee way2 from-spot n0 cost12) (fee way2 from-spot n1 cost12)
-    (fee way3 from-perch n0 cost34) (fee way3 from-perch n1 cost86) (fee way3 from-spot n0 cost12) (fee way3 from-spot n1 cost64)
-    (fee way4 from-perch n0 cost35) (fee way4 from-spot n0 cost12)
-    (fee way5 from-perch n0 cost37) (fee way5 from-spot n0 cost37)
-    (fee way6 from-perch n0 cost49) (fee way6 from-spot n0 cost37)
-    (fee way7 from-perch n0 cost74) (fee way7 from-spot n0 cost37)
-    (fee way8 from-perch n0 cost84) (fee way8 from-spot n0 cost70)
-    (fee way9 from-perch n0 cost121) (fee way9 from-spot n0 cost121)
-    (fee way10 from-perch n0 cost123) (fee way10 from-spot n0 cost121)
-    (fee way11 from-perch n0 cost141) (fee way11 from-perch n1 cost141) (fee way11 from-spot n0 cost121) (fee way11 from-spot n1 cost121)
-    (fee way12 from-perch n0 cost157) (fee way12 from-perch n1 cost157) (fee way12 from-spot n0 cost121) (fee way12 from-spot n1 cost121)
-    (fee way13 from-perch n0 cost182) (fee way13 from-perch n1 cost182) (fee way13 from-spot n0 cost121) (fee way13 from-spot n1 cost121)
-    (fee way14 from-spot n0 cost12) (fee way14 from-spot n1 cost12)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost27) 27) (= (cost cost31) 31) (= (cost cost34) 34) (= (cost cost35) 35) (= (cost cost37) 37) (= (cost cost49) 49) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost74) 74) (= (cost cost84) 84) (= (cost cost86) 86) (= (cost cost121) 121) (= (cost cost123) 123) (= (cost cost141) 141) (= (cost cost157) 157) (= (cost cost182) 182)
+    (fee way1 from-perch n0 cost12) (fee way1 from-spot n0 cost12)
+    (fee way2 from-perch n0 cost23) (fee way2 from-spot n0 cost12)
+    (fee way3 from-perch n0 cost25) (fee way3 from-spot n0 cost12)
+    (fee way4 from-perch n0 cost27) (fee way4 from-spot n0 cost12)
+    (fee way5 from-perch n0 cost31) (fee way5 from-perch n1 cost31) (fee way5 from-spot n0 cost12) (fee way5 from-spot n1 cost12)
+    (fee way6 from-perch n0 cost34) (fee way6 from-perch n1 cost86) (fee way6 from-spot n0 cost12) (fee way6 from-spot n1 cost64)
+    (fee way7 from-perch n0 cost35) (fee way7 from-spot n0 cost12)
+    (fee way8 from-perch n0 cost49) (fee way8 from-spot n0 cost12)
+    (fee way9 from-perch n0 cost71) (fee way9 from-spot n0 cost70)
+    (fee way10 from-perch n0 cost133) (fee way10 from-spot n0 cost121)
+    (fee way11 from-spot n0 cost12) (fee way11 from-spot n1 cost12)
+    (fee way12 from-spot n0 cost37)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost23) 23) (= (cost cost25) 25) (= (cost cost27) 27) (= (cost cost31) 31) (= (cost cost34) 34) (= (cost cost35) 35) (= (cost cost37) 37) (= (cost cost49) 49) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost71) 71) (= (cost cost86) 86) (= (cost cost121) 121) (= (cost cost133) 133)
   )
-  (:goal (and (stands item-01 rests-on-item-03) (stands item-03 rests-on-item-02)))
+  (:goal (and (stands item-03 rests-on-item-04) (stands item-04 rests-on-item-02)))
   (:metric minimize (total-cost)))

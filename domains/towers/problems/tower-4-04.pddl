@@ -9,15 +9,15 @@
     item-03 - hollow-wide-00
     item-04 - solid-low-narrow-01
     start-item-01 start-item-02 start-item-03 start-item-04 park-01 park-02 park-03 park-04 - spot
-    rests-on-item-01 sits-in-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 sits-in-item-04 - perch
+    rests-on-item-01 sits-in-item-01 rests-on-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 sits-in-item-04 - perch
     n1 n2 - count
-    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 - way
-    cost4 cost12 cost15 cost37 cost51 cost121 cost123 cost132 cost157 cost182 - price)
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 - way
+    cost4 cost12 cost37 cost50 cost51 cost70 cost121 cost133 cost182 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
     (stands item-01 start-item-01) (bears item-01 n0) (can-take item-01)
-    (stands item-02 start-item-02) (bears item-02 n0)
+    (stands item-02 start-item-02) (bears item-02 n0) (can-take item-02)
     (stands item-03 start-item-03) (bears item-03 n0) (can-take item-03)
     (stands item-04 start-item-04) (bears item-04 n0) (can-take item-04)
     ; park-01 lies at (0.6441, 0.1504) m
@@ -49,29 +49,26 @@
     (on rests-on-item-01 item-01)
     (on sits-in-item-01 item-01)
     (on rests-on-item-02 item-02)
-    (on sits-in-item-02 item-02)
     (on rests-on-item-03 item-03)
     (on sits-in-item-03 item-03)
     (on rests-on-item-04 item-04)
     (on sits-in-item-04 item-04)
     ; what puts one thing on or into another
-    (can-put item-01 rests-on-item-02 way1) (can-put item-01 rests-on-item-03 way2) (can-put item-01 rests-on-item-04 way11) (can-put item-01 sits-in-item-04 way8)
-    (can-put item-03 rests-on-item-01 way3) (can-put item-03 rests-on-item-02 way4) (can-put item-03 rests-on-item-04 way6)
-    (can-put item-04 rests-on-item-01 way7) (can-put item-04 sits-in-item-01 way9) (can-put item-04 rests-on-item-02 way4) (can-put item-04 sits-in-item-02 way12) (can-put item-04 rests-on-item-03 way5) (can-put item-04 sits-in-item-03 way10)
+    (can-put item-01 rests-on-item-02 way1) (can-put item-01 rests-on-item-03 way4) (can-put item-01 sits-in-item-03 way9) (can-put item-01 rests-on-item-04 way8) (can-put item-01 sits-in-item-04 way9)
+    (can-put item-02 rests-on-item-01 way5) (can-put item-02 rests-on-item-03 way5)
+    (can-put item-03 rests-on-item-01 way2) (can-put item-03 rests-on-item-02 way2) (can-put item-03 rests-on-item-04 way2)
+    (can-put item-04 rests-on-item-01 way3) (can-put item-04 sits-in-item-01 way6) (can-put item-04 rests-on-item-02 way2) (can-put item-04 sits-in-item-03 way7)
     ; what that costs, by where the one is from, and what the other bears
     (fee way1 from-perch n0 cost12) (fee way1 from-perch n1 cost51) (fee way1 from-spot n0 cost12) (fee way1 from-spot n1 cost51)
     (fee way2 from-perch n0 cost12) (fee way2 from-spot n0 cost12)
-    (fee way3 from-perch n0 cost15) (fee way3 from-spot n0 cost12)
-    (fee way4 from-perch n0 cost37) (fee way4 from-spot n0 cost37)
-    (fee way5 from-perch n0 cost121) (fee way5 from-spot n0 cost121)
-    (fee way6 from-perch n0 cost123) (fee way6 from-spot n0 cost121)
-    (fee way7 from-perch n0 cost132) (fee way7 from-spot n0 cost121)
-    (fee way8 from-perch n0 cost157) (fee way8 from-perch n1 cost157) (fee way8 from-spot n0 cost121) (fee way8 from-spot n1 cost121)
-    (fee way9 from-perch n0 cost182) (fee way9 from-perch n1 cost182) (fee way9 from-spot n0 cost121) (fee way9 from-spot n1 cost121)
-    (fee way10 from-spot n0 cost12) (fee way10 from-spot n1 cost12)
-    (fee way11 from-spot n0 cost121)
-    (fee way12 from-spot n0 cost121) (fee way12 from-spot n1 cost121)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost15) 15) (= (cost cost37) 37) (= (cost cost51) 51) (= (cost cost121) 121) (= (cost cost123) 123) (= (cost cost132) 132) (= (cost cost157) 157) (= (cost cost182) 182)
+    (fee way3 from-perch n0 cost50) (fee way3 from-spot n0 cost37)
+    (fee way4 from-perch n0 cost70) (fee way4 from-spot n0 cost70)
+    (fee way5 from-perch n0 cost133) (fee way5 from-spot n0 cost121)
+    (fee way6 from-perch n0 cost182) (fee way6 from-perch n1 cost182) (fee way6 from-spot n0 cost121) (fee way6 from-spot n1 cost121)
+    (fee way7 from-spot n0 cost37) (fee way7 from-spot n1 cost37)
+    (fee way8 from-spot n0 cost70)
+    (fee way9 from-spot n0 cost121) (fee way9 from-spot n1 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost37) 37) (= (cost cost50) 50) (= (cost cost51) 51) (= (cost cost70) 70) (= (cost cost121) 121) (= (cost cost133) 133) (= (cost cost182) 182)
   )
   (:goal (and (stands item-03 rests-on-item-01) (stands item-01 rests-on-item-02)))
   (:metric minimize (total-cost)))

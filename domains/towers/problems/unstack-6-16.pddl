@@ -10,10 +10,10 @@
     item-05 - solid-low-10
     item-06 - any-tall-narrow-11
     start-item-01 start-item-02 start-item-03 start-item-04 park-01 park-02 park-03 park-04 park-05 park-06 - spot
-    rests-on-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 sits-in-item-04 rests-on-item-05 sits-in-item-05 rests-on-item-06 sits-in-item-06 - perch
+    rests-on-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 rests-on-item-04 sits-in-item-04 rests-on-item-05 sits-in-item-05 rests-on-item-06 sits-in-item-06 - perch
     n1 n2 - count
-    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 way15 way16 way17 way18 way19 way20 - way
-    cost4 cost7 cost11 cost12 cost17 cost22 cost23 cost27 cost34 cost37 cost49 cost52 cost53 cost70 cost71 cost76 cost82 cost90 cost121 cost133 cost157 - price)
+    way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 way15 way16 way17 way18 - way
+    cost4 cost7 cost11 cost12 cost17 cost22 cost23 cost27 cost28 cost34 cost37 cost49 cost70 cost71 cost76 cost82 cost121 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -86,7 +86,6 @@
     (on rests-on-item-02 item-02)
     (on sits-in-item-02 item-02)
     (on rests-on-item-03 item-03)
-    (on sits-in-item-03 item-03)
     (on rests-on-item-04 item-04)
     (on sits-in-item-04 item-04)
     (on rests-on-item-05 item-05)
@@ -94,34 +93,32 @@
     (on rests-on-item-06 item-06)
     (on sits-in-item-06 item-06)
     ; what puts one thing on or into another
-    (can-put item-01 rests-on-item-02 way10) (can-put item-01 sits-in-item-02 way20) (can-put item-01 rests-on-item-03 way10) (can-put item-01 sits-in-item-03 way16) (can-put item-01 rests-on-item-04 way7) (can-put-loaded item-01 rests-on-item-04 way12) (can-put item-01 rests-on-item-05 way9) (can-put item-01 sits-in-item-05 way16) (can-put item-01 rests-on-item-06 way9) (can-put item-01 sits-in-item-06 way20)
-    (can-put item-02 rests-on-item-01 way4) (can-put item-02 rests-on-item-03 way4) (can-put item-02 rests-on-item-04 way14) (can-put item-02 sits-in-item-04 way20) (can-put item-02 rests-on-item-05 way4) (can-put item-02 rests-on-item-06 way1)
-    (can-put item-03 rests-on-item-01 way4) (can-put item-03 rests-on-item-02 way4) (can-put item-03 rests-on-item-04 way15) (can-put item-03 sits-in-item-04 way20) (can-put item-03 rests-on-item-05 way4) (can-put item-03 rests-on-item-06 way4)
-    (can-put item-04 rests-on-item-01 way17) (can-put item-04 rests-on-item-02 way11) (can-put item-04 sits-in-item-02 way20) (can-put item-04 rests-on-item-03 way14) (can-put item-04 sits-in-item-03 way20) (can-put item-04 rests-on-item-05 way19) (can-put item-04 sits-in-item-05 way13) (can-put item-04 rests-on-item-06 way17)
-    (can-put item-05 rests-on-item-01 way4) (can-put item-05 rests-on-item-02 way4) (can-put item-05 rests-on-item-03 way4) (can-put item-05 rests-on-item-04 way15) (can-put item-05 sits-in-item-04 way18) (can-put item-05 rests-on-item-06 way1)
-    (can-put item-06 rests-on-item-01 way2) (can-put item-06 rests-on-item-02 way8) (can-put item-06 rests-on-item-03 way5) (can-put item-06 rests-on-item-04 way3) (can-put item-06 rests-on-item-05 way6)
+    (can-put item-01 rests-on-item-02 way6) (can-put item-01 rests-on-item-03 way6) (can-put item-01 rests-on-item-04 way8) (can-put-loaded item-01 rests-on-item-04 way11) (can-put item-01 rests-on-item-05 way6) (can-put item-01 rests-on-item-06 way6)
+    (can-put item-02 rests-on-item-01 way4) (can-put item-02 rests-on-item-03 way4) (can-put item-02 rests-on-item-04 way10) (can-put item-02 sits-in-item-04 way18) (can-put item-02 rests-on-item-05 way4) (can-put item-02 rests-on-item-06 way1) (can-put item-02 sits-in-item-06 way18)
+    (can-put item-03 rests-on-item-01 way4) (can-put item-03 rests-on-item-02 way9) (can-put item-03 rests-on-item-04 way12) (can-put item-03 sits-in-item-04 way15) (can-put item-03 rests-on-item-05 way4) (can-put item-03 rests-on-item-06 way1) (can-put item-03 sits-in-item-06 way18)
+    (can-put item-04 rests-on-item-01 way13) (can-put item-04 rests-on-item-02 way7) (can-put item-04 sits-in-item-02 way18) (can-put item-04 rests-on-item-03 way1) (can-put item-04 rests-on-item-05 way14) (can-put item-04 sits-in-item-05 way18) (can-put item-04 rests-on-item-06 way13)
+    (can-put item-05 rests-on-item-01 way4) (can-put item-05 rests-on-item-02 way4) (can-put item-05 rests-on-item-03 way4) (can-put item-05 rests-on-item-04 way17) (can-put item-05 sits-in-item-04 way16) (can-put item-05 rests-on-item-06 way7) (can-put item-05 sits-in-item-06 way16)
+    (can-put item-06 rests-on-item-01 way2) (can-put item-06 rests-on-item-02 way5) (can-put item-06 rests-on-item-03 way5) (can-put item-06 rests-on-item-04 way3) (can-put item-06 rests-on-item-05 way1)
     ; what that costs, by where the one is from, and what the other bears
     (fee way1 from-perch n0 cost12) (fee way1 from-spot n0 cost12)
     (fee way2 from-perch n0 cost17) (fee way2 from-perch n1 cost82) (fee way2 from-spot n0 cost12) (fee way2 from-spot n1 cost76)
     (fee way3 from-perch n0 cost22) (fee way3 from-spot n0 cost12)
     (fee way4 from-perch n0 cost23) (fee way4 from-spot n0 cost12)
     (fee way5 from-perch n0 cost27) (fee way5 from-spot n0 cost12)
-    (fee way6 from-perch n0 cost37) (fee way6 from-spot n0 cost37)
-    (fee way7 from-perch n0 cost49) (fee way7 from-spot n0 cost12)
-    (fee way8 from-perch n0 cost52) (fee way8 from-spot n0 cost37)
-    (fee way9 from-perch n0 cost53) (fee way9 from-spot n0 cost37)
-    (fee way10 from-perch n0 cost70) (fee way10 from-spot n0 cost37)
-    (fee way11 from-perch n0 cost70) (fee way11 from-spot n0 cost70)
-    (fee way12 from-perch n0 cost71) (fee way12 from-spot n0 cost34)
-    (fee way13 from-perch n0 cost90) (fee way13 from-perch n1 cost90) (fee way13 from-spot n0 cost70) (fee way13 from-spot n1 cost70)
-    (fee way14 from-perch n0 cost121) (fee way14 from-spot n0 cost121)
-    (fee way15 from-perch n0 cost133) (fee way15 from-spot n0 cost121)
-    (fee way16 from-perch n0 cost157) (fee way16 from-perch n1 cost157) (fee way16 from-spot n0 cost121) (fee way16 from-spot n1 cost121)
-    (fee way17 from-spot n0 cost12)
-    (fee way18 from-spot n0 cost37) (fee way18 from-spot n1 cost37)
-    (fee way19 from-spot n0 cost121)
-    (fee way20 from-spot n0 cost121) (fee way20 from-spot n1 cost121)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost17) 17) (= (cost cost22) 22) (= (cost cost23) 23) (= (cost cost27) 27) (= (cost cost34) 34) (= (cost cost37) 37) (= (cost cost49) 49) (= (cost cost52) 52) (= (cost cost53) 53) (= (cost cost70) 70) (= (cost cost71) 71) (= (cost cost76) 76) (= (cost cost82) 82) (= (cost cost90) 90) (= (cost cost121) 121) (= (cost cost133) 133) (= (cost cost157) 157)
+    (fee way6 from-perch n0 cost28) (fee way6 from-spot n0 cost12)
+    (fee way7 from-perch n0 cost37) (fee way7 from-spot n0 cost37)
+    (fee way8 from-perch n0 cost49) (fee way8 from-spot n0 cost12)
+    (fee way9 from-perch n0 cost49) (fee way9 from-spot n0 cost37)
+    (fee way10 from-perch n0 cost70) (fee way10 from-spot n0 cost70)
+    (fee way11 from-perch n0 cost71) (fee way11 from-spot n0 cost34)
+    (fee way12 from-perch n0 cost121) (fee way12 from-spot n0 cost121)
+    (fee way13 from-spot n0 cost12)
+    (fee way14 from-spot n0 cost37)
+    (fee way15 from-spot n0 cost37) (fee way15 from-spot n1 cost37)
+    (fee way16 from-spot n0 cost70) (fee way16 from-spot n1 cost70)
+    (fee way17 from-spot n0 cost121)
+    (fee way18 from-spot n0 cost121) (fee way18 from-spot n1 cost121)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost17) 17) (= (cost cost22) 22) (= (cost cost23) 23) (= (cost cost27) 27) (= (cost cost28) 28) (= (cost cost34) 34) (= (cost cost37) 37) (= (cost cost49) 49) (= (cost cost70) 70) (= (cost cost71) 71) (= (cost cost76) 76) (= (cost cost82) 82) (= (cost cost121) 121)
   )
   (:goal (and (stands item-05 rests-on-item-03) (stands item-06 rests-on-item-01)))
   (:metric minimize (total-cost)))

@@ -15,7 +15,7 @@ from neurosym.errors import InvalidValue
 from neurosym.stages.folder import DomainFolder
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks import options
-from tools.benchmarks.asked.tasks import ALL_SHAPES, DRAWN, FORMS, set_upright
+from tools.benchmarks.asked.tasks import ALL_SHAPES, DRAWN, FORMS, set_upright, set_upright_again
 from tools.benchmarks.domains import bench_of
 from tools.benchmarks.jobs import Evaluation, Jobs
 from tools.benchmarks.planning.jobs import blocks
@@ -23,7 +23,7 @@ from tools.benchmarks.planning.measures import TIME_LIMIT
 from tools.benchmarks.planning.trials import tried
 from tools.benchmarks.relations import protocols, tasks
 from tools.benchmarks.relations.trying import try_all
-from tools.benchmarks.tables import document, share_of, table, tally, with_interval
+from tools.benchmarks.tables import document, percent, share_of, table, tally, with_interval
 from tools.relearn_places import SEED
 
 PLACES, TOWERS = Path("domains/places"), Path("domains/towers")
@@ -31,7 +31,9 @@ FIRST_TASK = 960_000  # seed of the first task, far from those of other evaluati
 BOXES, ONE_PUT = "three into three", "one put among 5 to 8"
 RELATED = {BOXES: 50, ONE_PUT: 40}
 """What is tried of relations, and how many tasks of each."""
-_BLOCK, _TRIES = 5, 50
+BIN = 30
+"""So many plans with relations of like chance are looked at together."""
+_BLOCK, _TRIES, _AGAIN = 5, 50, 16
 
 
 def main(
@@ -55,6 +57,19 @@ def main(
         evaluation.perform(jobs, name, report)
     upright: Jobs = {f"upright-{seed}": partial(_upright, seed) for seed in range(options.scaled(scale, 10))}
     evaluation.perform(upright, "toppled objects", report)
+    found = evaluation.found()
+    again: Jobs = {
+        f"again-{job}-{number}": partial(_upright_again, FIRST_TASK + number, one, _AGAIN)
+        for job in upright
+        for number, one in enumerate(found[job]["upright"])
+    }
+    evaluation.perform(again, "what set them upright", report)
+    found = evaluation.found()
+    for side in (0, 1):
+        tried = {name: found[name] for name in again if found[name]["side"] == side}
+        for best in sorted(tried, key=lambda name: (tried[name]["share"], name))[-1:]:
+            job: Jobs = {f"best-{side}": partial(_upright_again, FIRST_TASK - 1, tried[best], _TRIES)}
+            evaluation.perform(job, "the best of it", report)
     words = _words()
     for name, count in RELATED.items():
         related: Jobs = {
@@ -87,6 +102,11 @@ def _upright(seed: int) -> dict[str, Any]:
     return set_upright(read_world(PLACES / "world.toml")(), FIRST_TASK + seed, _TRIES)
 
 
+def _upright_again(seed: int, found: Mapping[str, Any], times: int) -> dict[str, Any]:
+    share = set_upright_again(read_world(PLACES / "world.toml")(), seed, found, times)
+    return {"side": found["side"], "action": found["action"], "share": share}
+
+
 def _words() -> Mapping[str, Sequence[str]]:
     """Read which states of the shipped domain mean what, as `make evaluate-relations` measured it."""
     with zipfile.ZipFile(options.RESULTS / "relations-records.zip") as records:
@@ -112,9 +132,29 @@ def summarise(found: Mapping[str, Any]) -> dict[str, Any]:
         "boxes": {how: kinds[BOXES][how] for how in ("blind", "replanned")},
         "one_put": kinds[ONE_PUT]["replanned"],
         "all_shapes_8": kinds[ALL_SHAPES]["replanned"],
-        "upright": {key: sum(one[key] for one in toppled) for key in ("tries", "upright", "moved")},
+        "upright": {
+            "tries": sum(one["tries"] for one in toppled),
+            "moved": sum(one["moved"] for one in toppled),
+            "upright": sum(len(one["upright"]) for one in toppled),
+            "best": [found[name]["share"] for name in ("best-0", "best-1") if name in found],
+        },
+        "chances": _chances([row for name in RELATED for row in _rows(found, _slug(name))]),
         "kinds": kinds,
     }
+
+
+def _chances(rows: Sequence[Mapping[str, Any]]) -> list[dict[str, float]]:
+    """Compare printed chances of plans with what came of these, followed blindly, in bins of like chance."""
+    told = sorted((row["chance"], bool(row.get("blind"))) for row in rows if row.get("chance") is not None)
+    bins = [told[begin : begin + BIN] for begin in range(0, len(told), BIN)]
+    return [
+        {
+            "plans": len(some),
+            "said": round(sum(chance for chance, _ in some) / len(some), 3),
+            "came": round(sum(came for _, came in some) / len(some), 3),
+        }
+        for some in bins
+    ]
 
 
 def _as_trial(row: Mapping[str, Any]) -> dict[str, Any]:
@@ -172,9 +212,21 @@ def page(found: Mapping[str, Any]) -> str:
         table("what | tasks | planned | followed blindly | replanned", rows),
         "Left out, since nothing that was learned brings it about in that scene:" if never else "",
         "\n".join(f"- {line}" for line in never),
+        "## Chances of plans with relations",
+        f"Plans of the last two rows are sorted by the chance that is printed with them, {BIN} in a group.",
+        table(
+            "plans | said on average | came out, followed blindly",
+            [
+                [str(one["plans"]), percent(one["said"]), with_interval(one["came"], one["plans"])]
+                for one in found["chances"]
+            ],
+        ),
         "## What has toppled",
         f"Of {toppled['tries']:,} random actions on objects that lie on their sides, {toppled['moved']:,} "
-        f"moved these, and {toppled['upright']:,} set one upright.",
+        f"moved these, and {toppled['upright']:,} set one upright. Each of these was performed on "
+        f"{_AGAIN} others on the same side, and the best for each side on {_TRIES} more. "
+        f"It set {' and '.join(map(percent, toppled['best'])) or '-'} of these upright. No "
+        "domain plans with it.",
     )
 
 

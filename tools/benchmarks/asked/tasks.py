@@ -1,7 +1,8 @@
 """Tasks as people bring them: things lie turned, goals are conditions in words, and what has toppled."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
+from itertools import islice
 from typing import Any
 
 import msgspec
@@ -83,27 +84,43 @@ DRAWN: Mapping[str, tuple[Draw, int]] = {
 
 
 def set_upright(world: World, seed: int, tries: int) -> dict[str, Any]:
-    """Perform random actions on objects that have toppled, and count how often one stands upright then.
+    """Perform random actions on objects that have toppled, and list those after which one stands upright."""
+    rng, upright, moved, rested = np.random.default_rng([seed, 90]), list[dict[str, Any]](), 0, 0
+    for side, toppled in islice(_toppled(world, rng), tries):
+        action = world.action_box.sample(rng, 1)[0]
+        outcome = world.interact(toppled, action, 0)
+        if _stands(outcome.start):  # it does not rest on that side by itself
+            continue
+        rested += 1
+        moved += bool(np.linalg.norm(outcome.resting_effect) > 0.01)
+        if _stands(outcome.end):
+            upright.append({"side": side, "action": action.tolist()})
+    return {"tries": rested, "moved": moved, "upright": upright}
 
-    What does not rest on that side by itself is left out.
-    """
-    rng, upright, moved, rested = np.random.default_rng([seed, 90]), 0, 0, 0
-    for _ in range(tries):
+
+def set_upright_again(world: World, seed: int, found: Mapping[str, Any], times: int) -> float:
+    """Say how often an action sets others upright that lie on the same side, as a share."""
+    rng, good, rested = np.random.default_rng([seed, 91]), 0, 0
+    alike = (toppled for side, toppled in _toppled(world, rng) if side == found["side"])
+    for toppled in islice(alike, times):
+        outcome = world.interact(toppled, np.array(found["action"]), 0)
+        rested += not _stands(outcome.start)
+        good += not _stands(outcome.start) and _stands(outcome.end)
+    return good / max(1, rested)
+
+
+def _toppled(world: World, rng: np.random.Generator) -> Iterator[tuple[int, Scene]]:
+    """Draw objects that have toppled, each with the axis about which it has: 0 for x, 1 for y."""
+    while True:
         scene = world.sample_scene(rng, 1)
         x, y = scene.features[0][:2]
-        angle = np.pi / 4  # half of a quarter turn about x, or about y
+        angle = np.pi / 4  # half of a quarter turn
         axis = int(rng.integers(2))
         orientation = np.zeros((1, 4))
         orientation[0, axis], orientation[0, 3] = np.sin(angle), np.cos(angle)
         position = scene.positions.copy()
         position[0, 2] = (y if axis == 0 else x) / 2
-        toppled = Scene(scene.features, position, orientation)
-        outcome = world.interact(toppled, world.action_box.sample(rng, 1)[0], 0)
-        if not _stands(outcome.start):
-            rested += 1
-            upright += _stands(outcome.end)
-            moved += bool(np.linalg.norm(outcome.resting_effect) > 0.01)
-    return {"tries": rested, "upright": upright, "moved": moved}
+        yield axis, Scene(scene.features, position, orientation)
 
 
 def _stands(scene: Scene) -> bool:

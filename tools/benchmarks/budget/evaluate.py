@@ -62,7 +62,7 @@ _TURNS = (
     (2000, _CURVE, 0),
     (6000, ("one-budget",), 0),
     (10_000, ("with-places",), 0),
-    (15_000, ("with-relations",), 0),
+    (8000, ("with-relations",), 0),
     (8000, _CURVE, 0),
     (2000, _PARTS, 0),
     (16_000, ("one-budget", "random", "entropy"), 0),

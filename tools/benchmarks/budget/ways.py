@@ -57,7 +57,7 @@ WAYS: Mapping[str, Way] = {
     "with-places": Way("places are learned, too", {5000: _FAR, 10_000: _FAR + _DRAWN}, {"places": None}),
     "with-relations": Way(
         "places and pairs are learned, too",
-        {8000: _TOWERS, 15_000: _TOWERS},
+        {8000: _TOWERS},
         {"places": None, "relations": 1024},
     ),
     "no-teaching": Way(

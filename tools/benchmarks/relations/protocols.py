@@ -9,12 +9,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
+import msgspec
 import numpy as np
 
+from neurosym.grounding import Grounding
 from neurosym.learning.network import EffectModel
 from neurosym.pair_operators import extent
+from neurosym.problems import Problem
 from neurosym.stages.layout import RELATION_MODEL, WORLD
-from neurosym.world import OtherObject, Outcome, Place, Scene, World, relative_to
+from neurosym.tasks.goal_choice import with_goals
+from neurosym.world import OtherObject, Outcome, Scene, World, relative_to
 from neurosym.worlds.aims import REFERENCE, TARGET, Related, as_pair
 from neurosym.worlds.workers import Task, perform_all
 from neurosym.worlds.world_file import read_world
@@ -32,9 +36,15 @@ _STREAM = 0x7072
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Likened(Asked):
-    """A task to make a scene like another one."""
+    """A task to make a scene like another one, and no more is said of it."""
 
     like: Scene
+
+    def asked_of(self, problem: Problem, grounding: Grounding) -> Problem:
+        """Ask for each object to be where it is in the other scene; nothing else is told."""
+        points = [",".join(f"{value:.3f}" for value in point) for point in self.like.positions.tolist()]
+        wanted = tuple(f"{name} at {point}" for name, point in zip(problem.object_names, points, strict=True))
+        return with_goals(msgspec.structs.replace(problem, conditions=wanted, tolerance=NEAR), grounding)
 
     def is_met(self, end: Outcome) -> bool:
         """Say whether each object is near where it is in the other scene."""
@@ -71,13 +81,11 @@ def one_put(world: World, seed: int) -> Likened:
         start = _put(scene, rng, world, off=REACH)
         end = _put(start.end, rng, world, off=REACH)
         moved = np.linalg.norm(end.end.positions - start.end.positions, axis=1)
-        borne = {index: _borne(end, index) for index in np.flatnonzero(moved > NEAR).tolist()}
-        goals = _plain(goal for ones in borne.values() for goal in ones)
-        spots = {index: end.end.positions[index][:2].tolist() for index, ones in borne.items() if not ones}
-        places = {index: Place(*spot) for index, spot in spots.items()}
-        if not (goals or places):
+        far = np.flatnonzero(moved > NEAR).tolist()
+        if not far:
             raise Unfit
-        return Likened(start.end, start.contacts, goals, places, (), end.end)
+        _plain(goal for one in far for goal in _borne(end, one))
+        return Likened(start.end, start.contacts, (), {}, (), end.end)
 
     low, high = AMONG
     return drawn(attempt, low + seed % (high - low + 1), [13], seed)

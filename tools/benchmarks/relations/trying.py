@@ -26,12 +26,14 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.problem_making import sight_of_pairs
 from neurosym.tasks.options import carriers_for, puts_for
 from neurosym.tasks.supports import PairSight, with_contacts, with_pairs
+from neurosym.tasks.transition import expected_success
 from neurosym.world import Outcome, Scene, World, relative_to
 from neurosym.worlds.aims import Adapted
 from neurosym.worlds.task_drawing import items_of
 from tools.benchmarks.domains import bench_of
 from tools.benchmarks.jobs import cpu_seconds
 from tools.benchmarks.planning.trials import PLANNER
+from tools.benchmarks.relations.protocols import Likened
 from tools.benchmarks.relations.tasks import Asked, Draw
 
 TIME_LIMIT = 60.0  # of one plan [s]; far more than any takes
@@ -64,6 +66,7 @@ class Trial(msgspec.Struct, frozen=True, omit_defaults=True):
     blind: bool = False  # the same of the plan followed blindly
     believed: bool = False  # whether the learned states say that it is so, with replanning
     primitives: int = 0  # how many were performed, with replanning
+    chance: float | None = None  # printed with the plan: that it comes true as it is
     cpu: float = 0.0  # what all of it took [CPU s]
 
 
@@ -83,7 +86,10 @@ def try_all(folder: Path, words: Words, draw: Draw, seeds: Sequence[int]) -> lis
 def _try_task(bench: Bench, sight: PairSight | None, words: Words, asked: Asked, name: str) -> Trial:
     """Plan for a task, and execute the plan with replanning and blindly."""
     begin, setting = cpu_seconds(), bench.setting
-    problem = as_problem(bench, sight, words, asked, name)
+    try:
+        problem = as_problem(bench, sight, words, asked, name)
+    except InvalidValue as error:
+        return Trial("cannot be said", str(error))
     if problem is None:
         return Trial("cannot be said")
     world, grounding = Remembering(setting.world), setting.grounding
@@ -103,6 +109,7 @@ def _try_task(bench: Bench, sight: PairSight | None, words: Words, asked: Asked,
         blind=blind,
         believed=run.reached,
         primitives=len(run.steps),
+        chance=round(expected_success(found.steps, problem, grounding), 4),
         cpu=round(cpu_seconds() - begin, 2),
     )
 
@@ -122,6 +129,8 @@ def as_problem(
     goals = {names[n]: (place.x, place.y, items[n].features[2] / 2) for n, place in asked.places.items()}
     plain = with_contacts(Problem(name, items, goals, TOLERANCE), asked.contacts)
     plain = with_pairs(plain, relations, sight)
+    if isinstance(asked, Likened):
+        return asked.asked_of(plain, grounding)
     wanted = []
     for goal in asked.goals:
         meant = words.get(goal.word, ())
