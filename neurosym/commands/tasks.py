@@ -29,6 +29,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, PLANS, WORLD, problem_files, scene_file
 
 if TYPE_CHECKING:
+    from neurosym.problems import SceneObject
     from neurosym.stages.plan_records import PlanRecord
     from neurosym.values.problem import Goal
 
@@ -74,7 +75,7 @@ def new_problem(
     turned: Annotated[bool, arg(help="Draw objects that lie turned by any angle.")] = False,
     like: Annotated[
         Optional[Path],
-        arg(metavar="FILE", help="Another scene: objects shall stand as those of the same names there."),
+        arg(metavar="FILE", help="Another scene: objects shall be where those of the same names are there."),
     ] = None,
     tolerance: Annotated[
         Optional[float],
@@ -85,7 +86,8 @@ def new_problem(
 
     A goal is a point, or a condition in words: `item-01 x=0.3..0.6`, `2 of 10 within-reach`,
     `item-01 next-to item-02` (also apart-from, on, under, not-on), with `and` and `or` between. What it
-    leaves open is chosen. With `--like FILE` objects shall stand as those of the same names in another scene.
+    leaves open is chosen. With `--like FILE` objects shall be where those of the same names are in another
+    scene; how they lie there is not asked for.
 
     With `--task` it is what people ask for: `anywhere` puts each object anywhere on the table, `swap` has
     each stand where the next one stood, `row` sets them in a row, and `crowded` clears a crowd. With
@@ -95,7 +97,7 @@ def new_problem(
     each on or in one of its own. `unstack` asks for a stack to be sorted so, and `exchange` for two borne
     things to change places. With `--scene` it is all yours: the file is checked, copied and printed as PDDL.
     """
-    from neurosym.problems import check_names
+    from neurosym.problems import Problem, check_names
     from neurosym.stages.problem_making import Asked, problem_stage, scene_stage
     from neurosym.stages.value_stages import goals_in_words, is_of_values, value_problem_stage
 
@@ -112,13 +114,15 @@ def new_problem(
     of_values = is_of_values(domain)
     if of_values:
         refuse_options(task=task, relation=relation, tolerance=tolerance, like=like, turned=turned)
-    points, conditions = (None, ()) if of_values else _parse_goals((*goal, *_like(like)), relation)
+    others = () if like is None else Problem.load(like).objects
+    points, conditions = (None, ()) if of_values else _parse_goals((*goal, *map(_there, others)), relation)
     asked = Asked(
         objects=objects,
         actions=actions,
         seed=seed,
         goals=points,
         conditions=conditions,
+        like={item.name: item.features for item in others},
         turned=turned,
         tolerance=tolerance,
         task=task,
@@ -221,13 +225,9 @@ def _parse_goals(
     return goals or None, tuple(conditions)
 
 
-def _like(scene: Path | None) -> Iterator[str]:
-    """Ask for objects to stand as in another scene."""
-    from neurosym.problems import Problem
-
-    if scene is not None:
-        for item in Problem.load(scene).objects:
-            yield f"{item.name} at {','.join(f'{value:.4f}' for value in item.position)}"
+def _there(item: "SceneObject") -> str:
+    """Ask for an object to be where it is in another scene."""
+    return f"{item.name} at {','.join(f'{value:.4f}' for value in item.position)}"
 
 
 def _parse_relation(text: str) -> tuple[str, str, str]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import permutations
 from pathlib import Path
 from typing import Any, cast, get_args
@@ -178,6 +178,7 @@ class Asked:
         state: The state that a drawn task of relations asks for; any, if not given.
         conditions: What shall hold, in words; goals and relations by hand are such, too, then.
         turned: Whether objects lie turned by any angle, and not straight.
+        like: The features of objects in a scene that the conditions were taken from, by name.
     """
 
     objects: int = 1
@@ -191,6 +192,7 @@ class Asked:
     state: str = ""
     conditions: tuple[str, ...] = ()
     turned: bool = False
+    like: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
 
     def options(self) -> dict[str, Any]:
         """Return it as a manifest keeps it; what is as usual was not always there, and is left out."""
@@ -245,6 +247,12 @@ def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -
     else:
         meant = relations_meant(asked.relations, grounding)
         problem = set_problem(world, categorise, asked.goals or {}, relations=meant, **named)
+    for other, features in asked.like.items():
+        if not np.allclose(problem.object_named(other).features, features, atol=1e-6):
+            raise InvalidValue(
+                f"{other} of the scene in --like is another object than {other} here: its sizes differ. Give "
+                "--objects and --seed with which the same are drawn, and --goal in both."
+            )
     problem = lying_turned(problem, asked.seed) if asked.turned else problem
     problem = with_pairs(problem.within(asked.tolerance), grounding.relations, sight)
     problem = with_goals(problem, grounding)

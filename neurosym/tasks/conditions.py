@@ -30,7 +30,10 @@ NEXT, APART = 0.05, 0.10
 they are as far apart as the other [m]."""
 BESIDE = ("next-to", "apart-from")
 OVER = ("on", "under", "not-on")
-FORMS = "x=LOW..HIGH, at X,Y, within-reach, next-to, apart-from, on, under, not-on, or a state of the domain"
+FORMS = (
+    "x=LOW..HIGH, at X,Y or X,Y,Z, heading=DEGREES, within-reach, next-to, apart-from, on, under, not-on, or "
+    "a state of the domain"
+)
 _PLAIN = {"beside": "next-to", "apart-from": "apart-from", "lies-under": "under", "props-up": "under"}
 """What people call learned states in which nothing is borne, by what their names begin with."""
 _AXES = "xyz"
@@ -172,7 +175,9 @@ def _bounds(terms: Sequence[str], text: str, table: Table) -> Bounds:
             raise InvalidValue(f"{text!r} says {axis} twice; say it once.")
         if dots and not (low or high):
             raise InvalidValue(f"{text!r} has no bound along {axis}; valid: {axis}=0.4.., ..0.6 or 0.4..0.6.")
-        if not least <= most or (dots and least == most) or math.isnan(least + most):
+        if math.isnan(least + most) or least == math.inf or most == -math.inf:
+            raise InvalidValue(f"{text!r} has no number along {axis}; valid: {axis}=0.4, or {axis}=0.4..0.6.")
+        if not least <= most or (dots and least == most):
             raise InvalidValue(f"{text!r} leaves no room along {axis}; give the lower bound first.")
         if axis == "heading" and (dots or not abs(least) <= 360):
             raise InvalidValue(f"{text!r} asks for no heading; valid: a number of degrees, as heading=30.")

@@ -30,7 +30,7 @@ LEAST_TOLERANCE = 0.01
 _ROOM = 0.4  # how far inside of bounds a goal lies, as a share of their width, if not by the tolerance
 _NEAR_TURNED = 0.02  # how near its goal something comes that is turned on the way [m]
 _RING = 8  # spots around a point, or along each side of an object, where another one may stand
-_LEVEL = 0.005  # so much higher or lower than is asked for counts as level [m]
+_LEVEL = 0.005  # heights that differ by less are the same, and by as much what is put ends off its height [m]
 
 
 def _ring() -> Float[np.ndarray, "K 2"]:
@@ -119,9 +119,13 @@ class _Choice:
         for name in [name for name in self._needs if name in self._over]:
             self._hand_down(name)
         for name in [name for name in self._needs if name in sight.supports and self._may_stay(name)]:
-            bearer = sight.supports[name]
-            self._over[name] = bearer.by, bearer.state.name
+            self._stay_borne(name)
             del self._needs[name]
+
+    def _stay_borne(self, name: str) -> None:
+        """Ask for an object to stay on what bears it, and that on what bears that, down to the table."""
+        while (borne := self._sight.supports.get(name)) and name not in self._over:
+            self._over[name], name = (borne.by, borne.state.name), borne.by
 
     def problem(self) -> Problem:
         """Return the problem with goals."""
@@ -220,7 +224,11 @@ class _Choice:
         below = self._needs.setdefault(chain[-1], _Need())
         asked = {axis: need.bounds[axis] for axis in "xy" if axis in need.bounds}
         off = dict(zip("xy", beyond.tolist(), strict=True))
-        below.within({axis: (low - off[axis], high - off[axis]) for axis, (low, high) in asked.items()})
+        try:
+            below.within({axis: (low - off[axis], high - off[axis]) for axis, (low, high) in asked.items()})
+        except InvalidValue as error:
+            said = f"What is asked of {name} and of {chain[-1]}, on which it shall be, contradicts itself"
+            raise InvalidValue(f"{said}: {error}.") from error
         below.beside += need.beside
 
     # Where things shall stand
@@ -241,8 +249,11 @@ class _Choice:
             spot = self._spot(name, need, above | others)
             if spot is not None:
                 found[name] = spot
-            elif below := self._put_near(name, need, others):  # which stays where it is, then
-                found.setdefault(below, others[below])
+            elif (below := self._put_near(name, need, others)) and below not in found:
+                if below in self._needs:  # it is to be brought to where the object shall be
+                    left[below] = self._needs[below]
+                else:
+                    found[below] = others[below]
         return found
 
     def _put_near(self, name: str, need: _Need, others: Mapping[str, Float[np.ndarray, "2"]]) -> str:
@@ -254,35 +265,45 @@ class _Choice:
         Raises:
             InvalidValue: If nothing brings it there.
         """
-        middles = {other: np.array([*spot, self._sight.places[other][2]]) for other, spot in others.items()}
+        middles = {one: np.array([*spot, self._sight.sizes[one][2] / 2]) for one, spot in others.items()}
+        for one, spot in others.items():
+            if np.array_equal(spot, self._sight.places[one][:2]):  # it stays as high as it is
+                middles[one] = self._sight.places[one]
         middles |= {other: self._ends.get(other, self._sight.places[other]) for other in self._over}
         laden = {bearer for bearer, _ in self._over.values()}
-        found = list[tuple[float, str, str, Float[np.ndarray, "3"]]]()
+        found = list[tuple[bool, float, str, str, Float[np.ndarray, "3"]]]()
         may_be = "z" in need.bounds and need.heading is None and self._grounding.relations
         for other in middles.keys() - need.off if may_be else ():
             reach = (self._sight.sizes[name] + self._sight.sizes[other]) / 2
             for put in self._puts(name, other):
                 end = middles[other] + put.end.effect[:3] * reach
                 is_free = other not in laden or put.operator.takes("occupied")
-                if is_free and self._is_near(end, need):
-                    found.append((put.chance, other, put.state.name, end))
+                may_move = other in others and other not in self._needs
+                stays = self._is_near(end, need, "xyz")
+                if is_free and (stays or (may_move and self._is_near(end, need, "z"))):
+                    found.append((stays, put.chance, other, put.state.name, end))
         if not found:
             said = f"There is no room on the table for all that is asked of {name}"
-            if "z" in need.bounds:
-                said += f", and nothing that was learned puts it there at z = {need.bounds['z'][0]:g} m"
+            if not self._is_level(name, need):
+                rests = float(self._sight.sizes[name][2]) / 2
+                said += f"; its middle is {rests:.3f} m high there, and nothing brings it as high as asked"
             raise InvalidValue(f"{said}.")
-        _, other, state, self._ends[name] = max(found, key=lambda one: one[:3])
+        stays, _, other, state, self._ends[name] = max(found, key=lambda one: one[:4])
         self._over[name] = other, state
+        self._stay_borne(other)
+        if not stays:
+            self._needs[name] = need
+            self._hand_down(name)
         return other if other in others else ""
 
-    def _is_near(self, end: Float[np.ndarray, "3"], need: _Need) -> bool:
-        """Say whether an end is so far inside of what is asked for that it may be missed by a little."""
+    def _is_near(self, end: Float[np.ndarray, "3"], need: _Need, axes: str) -> bool:
+        """Say whether an end meets what is asked along axes, though it is missed by a little."""
         off = 0.0
-        for axis, (low, high) in need.bounds.items():
+        for axis, (low, high) in ((axis, need.bounds[axis]) for axis in axes if axis in need.bounds):
             value = float(end["xyz".index(axis)])
             if low == high:
                 off = math.hypot(off, value - low)
-            elif not low + LEAST_TOLERANCE <= value <= high - LEAST_TOLERANCE:
+            elif not low + (room := _LEVEL if axis == "z" else LEAST_TOLERANCE) <= value <= high - room:
                 return False
         return off <= self._problem.tolerance - LEAST_TOLERANCE
 
@@ -351,6 +372,8 @@ class _Choice:
         table, found = np.array([self._grounding.table.x, self._grounding.table.y]).T, []
         rests, asked = self._sight.sizes[name][2] / 2, self._problem.tolerance
         low, high = need.bounds.get("z", (rests, rests))
+        if low != high and not low <= rests <= high:
+            return []
         for away in np.linspace(0, asked, _RING):
             spots = np.array(ends)[:, 0] + away * _ring()
             left = asked - math.hypot(away, max(low - rests, rests - high, 0.0))
@@ -406,7 +429,10 @@ class _Choice:
         found = []
         for axis, edges in zip("xy", (self._grounding.table.x, self._grounding.table.y), strict=True):
             low, high = need.bounds.get(axis, edges)
+            is_point = low == high
             low, high = max(low, edges[0]), min(high, edges[1])
+            if low == high and not is_point:
+                raise InvalidValue(f"{axis} = {low:g} m is the edge of the table; ask for some room inside.")
             if axis in need.bounds and low < high:
                 room = min(self._tolerance, _ROOM * (high - low))
                 self._tolerance = room

@@ -95,6 +95,15 @@ def test_what_is_to_be_higher_than_on_the_table_is_put_on_another():
         ("item-01", "item-03"),
         ("item-04", "item-01"),
     ]
+    moved = with_goals(scene("item-04 z=0.05.. and item-04 at 0.6,-0.2"), TOWERS)
+    ((_, below, _),) = moved.relations
+    assert moved.goals[below][:2] == pytest.approx((0.6, -0.2), abs=0.03)
+    lower = {"item_02": (0.6, 0.1, 0.06), "item_01": (0.6, 0.1, 0.1)}  # a tower of three
+    tall = with_goals(scene("item-01 z=0.1 and item-03 x=0.45", **lower), TOWERS)
+    assert {(one, other) for one, other, _ in tall.relations} == {
+        ("item-01", "item-02"),
+        ("item-02", "item-03"),
+    }
     stays = with_goals(scene("item-02 at 0.6,0.1,0.06 and item-04 at 0.6,-0.2", **ON), TOWERS)
     assert [(one, other) for one, other, _ in stays.relations] == [("item-02", "item-03")]
     assert stays.unmet == ("item-04",)
@@ -143,6 +152,9 @@ def test_little_room_makes_the_tolerance_small():
         ("item-01 x=0.5 x=0.6", "says x twice"),
         ("item-01 x=much", "cannot be read; write x=0.4"),
         ("item-01 x=3", "lies off the table; valid: x"),
+        ("item-01 z=nan", "has no number along z; valid: z=0.4"),
+        ("item-01 at 0.6,0.1,inf", "has no number along z"),
+        ("item-01 x=0.95..", "x = 0.95 m is the edge of the table; ask for some room inside"),
         ("item-01 heading=1..2", "asks for no heading; valid: a number of degrees"),
         ("item-01 heading=30 and item-01 heading=60", "shall be turned by 30 and by 60 degrees"),
         ("item-01 heading=30 and item-01 on item-02", "its heading cannot be asked for"),
@@ -152,7 +164,10 @@ def test_little_room_makes_the_tolerance_small():
         ("item-01 y=0.. and item-01 y=..-0.1", "What is asked of item-01 contradicts itself"),
         ("item-01 on item-02 and item-01 on item-03", "item-01 shall be on item-02 and on item-03"),
         ("", "There is an empty condition"),
-        ("item-01 at 0.6,-0.2,0.3", "nothing that was learned puts it there at z = 0.3 m"),
+        (
+            "item-01 at 0.6,-0.2,0.3",
+            "its middle is 0.020 m high there, and nothing brings it as high as asked",
+        ),
     ],
 )
 def test_conditions_that_cannot_be_are_refused(text: str, said: str):
