@@ -265,11 +265,10 @@ class _Choice:
         Raises:
             InvalidValue: If nothing brings it there.
         """
-        middles = {one: np.array([*spot, self._sight.sizes[one][2] / 2]) for one, spot in others.items()}
+        middles = {one: self._ends.get(one, self._sight.places[one]) for one in (*others, *self._over)}
         for one, spot in others.items():
-            if np.array_equal(spot, self._sight.places[one][:2]):  # it stays as high as it is
-                middles[one] = self._sight.places[one]
-        middles |= {other: self._ends.get(other, self._sight.places[other]) for other in self._over}
+            if not np.array_equal(spot, middles[one][:2]):  # it shall stand elsewhere on the table
+                middles[one] = np.array([*spot, self._sight.sizes[one][2] / 2])
         laden = {bearer for bearer, _ in self._over.values()}
         found = list[tuple[bool, float, str, str, Float[np.ndarray, "3"]]]()
         may_be = "z" in need.bounds and need.heading is None and self._grounding.relations
