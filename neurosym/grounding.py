@@ -55,10 +55,11 @@ def in_cells(displacement: Effect, cell: float) -> Cells:
 # What is needed to plan with a learned domain is what operators there are, and the grid that the PDDL text is
 # printed on; no neural network. It is stored as `grounding.json`, next to the domain.
 
-FORMATS = tuple(f"neurosym-grounding-{number}" for number in range(1, 5))
+FORMATS = tuple(f"neurosym-grounding-{number}" for number in range(1, 6))
 """Versions of groundings that can be read; the second knows operators with parameters of their own, the third
-what carries objects to places, the fourth what puts them in relations to one another."""
-FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS = FORMATS[1:]
+what carries objects to places, the fourth what puts them in relations to one another, the fifth what sets
+them upright."""
+FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS, FORMAT_WITH_UPRIGHT = FORMATS[1:]
 _VALUES = "neurosym-values-"
 """What formats of domains begin with that are none of these; see `neurosym.values`."""
 _Size = Annotated[float, msgspec.Meta(ge=1e-6, le=1e3)]  # [m]
@@ -78,6 +79,7 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True, ren
     places: OperatorTable | None = None  #: What carries objects to places, if that was learned
     #: What puts objects in relations to one another, if that was learned
     relations: RelationOperators | None = None
+    upright: OperatorTable | None = None  #: What sets objects upright that lie on a side, if that was learned
     turned: bool = False  #: Whether motions are performed turned as objects lie; see `neurosym.world.heading`
     readable = FORMATS
 
@@ -109,8 +111,8 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True, ren
 
     @property
     def operators(self) -> tuple[Operator, ...]:
-        """All operators: on objects, those that carry them to places, and on pairs."""
-        return tuple(_by_name(self).values())
+        """All operators but those that set upright: on objects, those that carry them to places, on pairs."""
+        return tuple(one for one in _by_name(self).values() if one.frame != "side")
 
     def operator_named(self, name: str) -> Operator:
         """Return the operator of that name; `UnknownChoice` if there is none."""
@@ -131,7 +133,8 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True, ren
 
     def primitive_of(self, operator: Operator) -> Primitive:
         """Return the primitive that an operator is performed with."""
-        table = {"object": self.objects, "place": self.places, "pair": self.relations}[operator.frame]
+        tables = {"object": self.objects, "place": self.places, "pair": self.relations, "side": self.upright}
+        table = tables[operator.frame]
         return labelled(table.primitives if table else (), operator.label)
 
     @property
@@ -249,9 +252,9 @@ def _decoded(path: Path, content: bytes) -> Grounding:
 
 @lru_cache(maxsize=_REMEMBERED)
 def _by_name(grounding: Grounding) -> dict[str, Operator]:
-    tables = (grounding.objects.operators, grounding.places.operators if grounding.places else ())
+    others = (table.operators for table in (grounding.places, grounding.upright) if table)
     pairs = grounding.relations.every_operator if grounding.relations else ()
-    return {one.name: one for one in chain(*tables, pairs)}
+    return {one.name: one for one in chain(grounding.objects.operators, *others, pairs)}
 
 
 @lru_cache(maxsize=_REMEMBERED)

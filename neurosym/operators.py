@@ -62,9 +62,10 @@ Variant = Annotated[str, msgspec.Meta(pattern=r"\A[a-z]{0,2}\Z")]
 TABLE_FORMATS = ("neurosym-primitives-1", "neurosym-primitives-2")
 """Versions of tables that can be read; since the second there may be several operators for a pair."""
 TABLE_FORMAT = TABLE_FORMATS[-1]  # the version of tables that are made now
-EffectFrame = Literal["object", "place", "pair"]
+EffectFrame = Literal["object", "place", "pair", "side"]
 """What operators act on: an object, seen from where it was; an object that is carried to a place, seen from
-there; or a pair, whose target is seen from its reference in sums of their half sizes."""
+there; a pair, whose target is seen from its reference in sums of their half sizes; or an object that lies on
+a side, seen from where it was."""
 _ENDING = rf"\A({'|'.join(get_args(OutcomeKind))}|[01]{{1,64}})\Z"
 Ending = Annotated[str, msgspec.Meta(pattern=_ENDING)]
 """How an object ends, one of `OutcomeKind`, or the state that a pair ends in."""

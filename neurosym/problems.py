@@ -132,6 +132,8 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
     conditions: tuple[str, ...] = ()
     #: How near conditions are to be met, where goals that were chosen for them are to be met nearer [m]
     asked_within: Length | None = None
+    #: Names of the objects that shall stand upright; chosen so
+    upright: tuple[str, ...] = ()
     #: How objects shall be turned at their goals, modulo half a turn [degrees], by name; chosen so
     headings: dict[str, Length] = {}
     #: Names of the objects that touch, where somebody saw that; else it is told by geometry

@@ -6,6 +6,7 @@
 ; which shifts ?o by ?dx and ?dy cells; move-x and then move-y carry it out.
 ; Things stand at spots. What can be carried is taken from one, and put at another that is free. Where it
 ; would overlap spots of the start there, note-clear goes through them until nowhere is left.
+; What lies on a side, and shall stand, is set upright before it is taken or moved.
 ; A valid plan asks a full hand for nothing but to put down, and carries only to places that are free. What
 ; moves by cells may collide on its way and at its end: `neurosym validate` replays plans and finds that.
 ; Learned action symbols: what the surest motion of each does to a category, how far in mm, how often.
@@ -69,15 +70,17 @@
     (check ?o - thing ?p ?here - spot) ; for ?o to be put at ?p, ?here must be free
     (then ?o - thing ?p ?here ?next - spot) ; and after that ?next, if it is not nowhere
     (goal-place ?o - thing ?p - spot) ; at that spot ?o meets its goal
+    (settled ?o - thing) ; ?o lies as it shall, or was set upright
+    (rights ?o - thing ?c - price) ; ?o can be set upright, at that price
   )
   (:functions (total-cost) - number (cost ?c - price) - number)
   (:action push ; begin to push ?o
     :parameters (?o - thing ?m - motion ?dx - x-shift ?dy - y-shift ?c - price)
-    :precondition (and (ready) (hand-empty) (by-cells ?o) (pushes ?o ?m ?dx ?dy ?c))
+    :precondition (and (ready) (hand-empty) (settled ?o) (by-cells ?o) (pushes ?o ?m ?dx ?dy ?c))
     :effect (and (not (ready)) (not (done ?o)) (due-x ?o ?dx) (due-y ?o ?dy) (increase (total-cost) (cost ?c))))
   (:action lift ; begin to lift ?o, which stays over cells; put-down sets it down
     :parameters (?o - thing ?m - motion ?dx - x-shift ?dy - y-shift ?c - price)
-    :precondition (and (ready) (hand-empty) (by-cells ?o) (on-table ?o) (lifts ?o ?m ?dx ?dy ?c))
+    :precondition (and (ready) (hand-empty) (settled ?o) (by-cells ?o) (on-table ?o) (lifts ?o ?m ?dx ?dy ?c))
     :effect (and (not (ready)) (not (hand-empty)) (not (on-table ?o)) (not (done ?o)) (due-x ?o ?dx) (due-y ?o ?dy) (lifted ?o ?m) (increase (total-cost) (cost ?c))))
   (:action put-down ; begin to put down what ?m lifted
     :parameters (?o - thing ?m - motion ?dx - x-shift ?dy - y-shift)
@@ -101,7 +104,7 @@
     :effect (and (done ?o)))
   (:action take ; take ?o from a spot
     :parameters (?o - thing ?p - spot)
-    :precondition (and (ready) (hand-empty) (can-take ?o) (stands ?o ?p))
+    :precondition (and (ready) (hand-empty) (settled ?o) (can-take ?o) (stands ?o ?p))
     :effect (and (not (hand-empty)) (not (stands ?o ?p)) (not (by-cells ?o)) (not (done ?o)) (taken ?o) (free ?p)))
   (:action put-at ; put ?o, which was taken, at a spot
     :parameters (?o - thing ?p - spot ?c - price)
@@ -118,4 +121,8 @@
   (:action leave ; note that ?o, moved by cells to its goal, has left its spot
     :parameters (?o - thing ?p - spot)
     :precondition (and (ready) (done ?o) (by-cells ?o) (stands ?o ?p))
-    :effect (and (not (stands ?o ?p)) (free ?p))))
+    :effect (and (not (stands ?o ?p)) (free ?p)))
+  (:action set-upright ; set ?o upright
+    :parameters (?o - thing ?c - price)
+    :precondition (and (ready) (hand-empty) (rights ?o ?c))
+    :effect (and (settled ?o) (increase (total-cost) (cost ?c)))))

@@ -258,6 +258,10 @@ def distill(
     seed: Seed = 0,
     workers: Workers = CPUS,
     choice: Choice = "own",
+    upright: Annotated[
+        int,
+        arg(help="Only find what sets things upright that lie on a side, among so many random actions."),
+    ] = 0,
 ) -> int:
     """Turn action symbols into parameters and rehearse each: -> `primitives.json`.
 
@@ -265,15 +269,21 @@ def distill(
     `performed.safetensors`, and not performed again.
     """
     from neurosym.checks import check_count
-    from neurosym.commands.tables import show_operators, show_relations, show_verdict
+    from neurosym.commands.tables import show_operators, show_relations, show_righting, show_verdict
     from neurosym.formats import PairFile, PlaceFile
     from neurosym.operators import OperatorTable
-    from neurosym.stages.learning import TO_OBJECTS, TO_PLACES, distill_stage
+    from neurosym.stages.learning import TO_OBJECTS, TO_PLACES, distill_stage, upright_stage
     from neurosym.stages.value_stages import is_of_values
     from neurosym.stages.verdicts import judge_operators, judge_relations
 
     check_count("interactions", interactions)
     domain, after = opened(folder), f"compile-domain {quoted(folder)}"
+    if upright:
+        stage = upright_stage(domain, tries=upright, objects=objects, seed=seed, workers=workers)
+        domain.perform(stage, again=True)
+        show_righting(OperatorTable.load(domain / layout.UPRIGHT_OPERATORS))
+        say_next(f"neurosym {after}")
+        return 0
     options: dict[str, Any] = {"objects": objects, "budget": interactions, "seed": seed, "workers": workers}
     domain.perform(distill_stage(domain, choice=choice, **options), again=True)
     table = OperatorTable.load(domain / layout.PRIMITIVES)

@@ -22,6 +22,7 @@ from neurosym.stages.console import NARROW, folded, print_raw, say, show_table, 
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.value_stages import domain_of
 from neurosym.stages.verdicts import Verdict, judge_training, judge_values
+from neurosym.tasks.lying import SIDES
 from neurosym.tasks.transition import PlanStep, primitives
 from neurosym.values.domain import ValueDomain
 from neurosym.values.value_execution import ValueRun
@@ -70,7 +71,7 @@ def show_operators(table: OperatorTable) -> None:
         rows.append(row)
     title = "operators" if is_rehearsed else "operators, averaged from the data"
     show_table(title, [*columns, f"effect{unit}", f"spread{unit}"], rows)
-    if table.unreached:
+    if table.unreached and table.categories:
         say(f"no action was found that encodes to {listed_briefly(table.unreached)}")
     for primitive in table.primitives:
         if not primitive.has_converged:
@@ -78,6 +79,15 @@ def show_operators(table: OperatorTable) -> None:
                 f"{primitive.label} is done by an action that hardly encodes to it: "
                 f"its mean squared error is {primitive.code_error:.2g}, and {CONVERGED} is the limit"
             )
+
+
+def show_righting(table: OperatorTable) -> None:
+    """Print what sets things upright that lie on a side, and for which sides nothing does."""
+    if table.operators:
+        show_operators(table)
+    found = {one.subject for one in table.operators}
+    if tops := [top for side, top in SIDES.items() if side not in found]:
+        say(f"nothing was found that sets upright what lies with its top {' or '.join(tops)}")
 
 
 def show_values(folder: DomainFolder) -> None:

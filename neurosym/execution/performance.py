@@ -14,7 +14,6 @@ from neurosym.execution.record import (
     Replanning,
     Run,
     StepRecord,
-    as_it_shows,
     own_steps,
     record_step,
     seen_now,
@@ -23,6 +22,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import vector
 from neurosym.pair_operators import extent
 from neurosym.problems import Problem, RelationGoal
+from neurosym.tasks.lying import as_it_shows
 from neurosym.tasks.promises import performed_with
 from neurosym.tasks.supports import Contacts, touching
 from neurosym.tasks.task import GOAL, PARK, is_reached, unmet_relations, with_places

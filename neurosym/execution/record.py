@@ -13,9 +13,10 @@ import numpy as np
 from neurosym.errors import counted, in_millimetres, version_of
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Length, Vector, vector
-from neurosym.pair_operators import PairState, describe_pair, extent, rotation
-from neurosym.problems import Problem, RelationGoal, SceneObject
+from neurosym.pair_operators import PairState, describe_pair, extent
+from neurosym.problems import Problem, RelationGoal
 from neurosym.tasks.conditions import unmet_conditions
+from neurosym.tasks.lying import as_it_shows, righted, righting
 from neurosym.tasks.options import put_named
 from neurosym.tasks.promises import promised
 from neurosym.tasks.supports import Contacts, bearers_of, with_contacts
@@ -28,41 +29,7 @@ from neurosym.world import (
     Place,
     Reference,
     Scene,
-    heading,
-    turned_by,
 )
-
-# Appearance: what an object shows to the robot once it was turned, and which category that is.
-#
-# What was learned holds for objects that stand straight. One that was turned by a quarter has its sizes
-# along other axes; one that stands askew is as wide as the box around it.
-
-STRAIGHT = math.radians(15)
-"""An object that is turned by less than this beyond a quarter counts as straight [rad]."""
-
-
-def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:
-    """Return an object with the sizes that it has along the axes, and the category of objects like that.
-
-    Its first three features are these sizes [m]. Where no rehearsals are kept, the category stays.
-    """
-    lying = rotation(np.array(item.orientation))
-    if grounding.turned:
-        lying = turned_by(-heading(np.array(item.orientation)), lying.T).T
-    along = np.abs(lying)
-    straight = along > math.cos(STRAIGHT)
-    turned = straight.astype(float) if straight.sum() == 3 else along
-    if np.array_equal(turned, np.eye(3)):
-        return item
-    shown = tuple(round(size, 6) for size in (turned @ np.array(item.features[:3])).tolist())
-    features, category = (*shown, *item.features[3:]), item.category
-    categories = grounding.objects.categories
-    if rehearsed := [(row, one.symbol) for one in categories for row in one.objects]:
-        objects = np.array([row for row, _ in rehearsed])
-        apart = (objects - features) / np.maximum(objects.std(0), 1e-9)
-        category = rehearsed[int(np.argmin((apart**2).sum(1)))][1]
-    return msgspec.structs.replace(item, features=features, category=category)
-
 
 # The machine that a run was made on: another processor, or other versions, may round otherwise
 
@@ -287,13 +254,18 @@ def record_step(
     """
     names, told = problem.object_names, dict[str, Any]()
     if outcome:
-        is_put = grounding.operator_named(step.operator).frame == "pair"
-        told = (_put if is_put else _moved)(step, problem, grounding, outcome)
+        frame = grounding.operator_named(step.operator).frame
+        is_put, kind = frame == "pair", righted(outcome) if frame == "side" else outcome.kind
+        told = (
+            _put(step, problem, grounding, outcome)
+            if is_put
+            else _moved(step, problem, grounding, outcome, kind)
+        )
         if grounding.relations and (problem.relations or is_put):
             bearers = bearers_of(seen_now(problem, scene, outcome.contacts), grounding.relations)
             told["relations"] = {name: f"{borne.state.name} {borne.by}" for name, borne in bearers.items()}
         told |= {
-            "happened": outcome.kind,
+            "happened": kind,
             "touched": tuple(names[index] for index in outcome.touched),
             "disturbed": {names[index]: how for index, how in outcome.disturbed},
             "put_down": put_down or is_put,
@@ -306,14 +278,19 @@ def record_step(
     return StepRecord(operator=step.operator, object=step.object, **told)
 
 
-def _moved(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome) -> dict[str, Any]:
+def _moved(
+    step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outcome, happened: OutcomeKind
+) -> dict[str, Any]:
     """Tell what the operator of a step promised for the object as it lay, and what came of it."""
-    lay = tuple(outcome.start.orientations[outcome.target].tolist())
-    item = as_it_shows(msgspec.structs.replace(problem.object_named(step.object), orientation=lay), grounding)
-    found = promised(grounding, item, problem.tolerance).get(step.operator)
-    operator = found or grounding.operator_named(step.operator)
+    item = seen_now(problem, outcome.start, None).object_named(step.object)
+    known = promised(grounding, as_it_shows(item, grounding), problem.tolerance)
+    operator = known.get(step.operator) or grounding.operator_named(step.operator)
+    if operator.frame == "side":
+        operator = righting(item, grounding) or operator
     kind = operator.promise.kind if operator.promise else None
     wanted = grounding.displacement(operator) if operator.promise else None
+    if operator.frame == "side" and operator.promise:
+        wanted = vector(np.array(operator.promise.resting_effect))
     effect = vector(outcome.effect if outcome.held else outcome.resting_effect)
     deviation = math.dist(effect, wanted) if wanted else None
     return {
@@ -321,7 +298,7 @@ def _moved(step: PlanStep, problem: Problem, grounding: Grounding, outcome: Outc
         "promised_effect": wanted,
         "effect": effect,
         "deviation": deviation,
-        "as_promised": kind == outcome.kind and deviation is not None and deviation <= TOLERANCE,
+        "as_promised": kind == happened and deviation is not None and deviation <= TOLERANCE,
         "aim": _told_of(aim) if isinstance(aim := outcome.reference, Place) else msgspec.UNSET,
     }
 

@@ -10,13 +10,14 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.execution.record import STRAIGHT, as_it_shows, ended_in
+from neurosym.execution.record import ended_in
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, Symbol, Vector, vector
 from neurosym.pair_operators import rotation
 from neurosym.planners.planner import UNTOLD, Effort, PlanStatus
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem, SceneObject, pair_key
+from neurosym.tasks.lying import STRAIGHT, as_it_shows, lying
 from neurosym.tasks.options import PUT_DOWN, put_named
 from neurosym.tasks.promises import LEAST_CHANCE, promised
 from neurosym.tasks.task import is_reached, is_relational, understand, unmet_relations
@@ -81,8 +82,9 @@ class Experience:
         """
         every = {key: self._all(key) for key in {**self._forgotten, **self._seen}}
         kept = dict[_Key, list[_Seen]]()
-        for item in (as_it_shows(lying, self.grounding) for lying in problem.objects):
-            for operator in promised(self.grounding, _straight(item), problem.tolerance).values():
+        for item in problem.objects:
+            shown = _straight(as_it_shows(item, self.grounding))
+            for operator in promised(self.grounding, shown, problem.tolerance).values():
                 key = (item.name, _label(operator))
                 rows = every.get(key, [])
                 if _is_given_up(operator, self._as_it_lies(item, rows), problem.tolerance):
@@ -94,6 +96,8 @@ class Experience:
     def learn(self, step: PlanStep, outcome: Outcome) -> None:
         """Remember what a step did, by its learned name."""
         operator = self.grounding.operator_named(step.base)
+        if operator.frame == "side":  # it lies otherwise now, or is tried again
+            return
         if operator.frame == "pair":
             put = put_named(step.operator, self.grounding)
             kept = put is not None and ended_in(outcome, self.grounding) == put.state
@@ -118,16 +122,17 @@ class Experience:
         only the goals are left that were chosen for them. Returned are the problem with these categories, and
         the grounding that has them.
         """
-        known = {name for name, _ in self._seen}
+        known, lie = {name for name, _ in self._seen}, lying(problem, self.grounding)
         objects, categories, operators = [], list[Category](), list[Operator]()
-        for item in (as_it_shows(lying, self.grounding) for lying in problem.objects):
+        for lies in problem.objects:
+            item = lies if lie.get(lies.name) else as_it_shows(lies, self.grounding)
             own = f"{item.category}{_OF}{item.name}" if item.name in known else item.category
             objects.append(msgspec.structs.replace(item, category=own))
             if item.name in known:
                 learned = self.grounding.category(item.category)
                 name = learned.name + _OF + item.name
                 categories.append(msgspec.structs.replace(learned, symbol=own, name=name, objects=()))
-                operators += self._operators_of(item, own, problem.tolerance)
+                operators += self._operators_of(item, lies, own, problem.tolerance)
         foreseen, most = {pair: dict(shares) for pair, shares in problem.foreseen.items()}, self._patience
         every = self.grounding.relations.every_operator if self.grounding.relations else ()
         for (pair, way), kept in self._kept.items():
@@ -151,15 +156,17 @@ class Experience:
         places = places and extended(places, "place")
         return msgspec.structs.replace(self.grounding, objects=objects, places=places)
 
-    def _operators_of(self, item: SceneObject, own: Symbol, tolerance: float) -> Iterator[Operator]:
-        """List what is believed of an object."""
+    def _operators_of(
+        self, item: SceneObject, lies: SceneObject, own: Symbol, tolerance: float
+    ) -> Iterator[Operator]:
+        """List what is believed of an object, as it shows and as it lies."""
         rows = [rows for (name, to), rows in self._seen.items() if name == item.name and to.startswith(_TO)]
-        carried = [one.kind == "carried" for outcomes in rows for one in self._as_it_lies(item, outcomes)]
+        carried = [one.kind == "carried" for outcomes in rows for one in self._as_it_lies(lies, outcomes)]
         is_slippery = len(carried) >= SLIPPERY and not any(carried)
         for operator in promised(self.grounding, _straight(item), tolerance).values():
             key, promise, changed = (item.name, _label(operator)), operator.promise, operator
             seen, known = self._seen.get(key, []), self._all(key)
-            outcomes, every = (self._as_it_lies(item, rows) for rows in (seen, known))
+            outcomes, every = (self._as_it_lies(lies, rows) for rows in (seen, known))
             if promise and operator.frame == "place" and is_slippery:
                 changed = _promising(operator, promise, 0.0)
             elif promise and _is_given_up(operator, every, tolerance):

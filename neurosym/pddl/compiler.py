@@ -17,7 +17,13 @@ import msgspec
 from neurosym.checks import check_kind, check_length
 from neurosym.choices import CELL as CELL
 from neurosym.errors import InvalidValue, UnknownChoice
-from neurosym.grounding import FORMAT, FORMAT_WITH_PLACES, FORMAT_WITH_RELATIONS, Grounding
+from neurosym.grounding import (
+    FORMAT,
+    FORMAT_WITH_PLACES,
+    FORMAT_WITH_RELATIONS,
+    FORMAT_WITH_UPRIGHT,
+    Grounding,
+)
 from neurosym.operators import MIN_CHANCE, OperatorTable, counted_axes, name_operator
 from neurosym.pair_operators import RelationOperators
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
@@ -44,6 +50,7 @@ def compile_domain(
     cell: float = CELL,
     places: OperatorTable | None = None,
     relations: RelationOperators | None = None,
+    upright: OperatorTable | None = None,
     turned: bool = False,
 ) -> Grounding:
     """Turn a table of operators into everything that planning needs, an operator for each outcome.
@@ -56,6 +63,7 @@ def compile_domain(
         cell: Edge of a grid cell [m].
         places: What carries objects of the same categories to places, if that was learned.
         relations: What puts objects in relations to one another, if that was learned.
+        upright: What sets objects upright that lie on a side, if that was learned.
         turned: Whether motions are performed turned as objects lie.
 
     Raises:
@@ -83,8 +91,9 @@ def compile_domain(
             )
         if count > 1:
             raise InvalidValue(f"Two parts of the domain are called {one}; each needs a name of its own.")
+    usual = FORMAT_WITH_RELATIONS if relations else FORMAT_WITH_PLACES if places else FORMAT
     return Grounding(
-        format=FORMAT_WITH_RELATIONS if relations else FORMAT_WITH_PLACES if places else FORMAT,
+        format=FORMAT_WITH_UPRIGHT if upright else usual,
         name=name,
         cell=cell,
         table=table_bounds,
@@ -92,6 +101,7 @@ def compile_domain(
         objects=expanded,
         places=_with_objects(places) if places else None,
         relations=relations,
+        upright=upright,
         turned=turned,
     )
 
@@ -156,7 +166,7 @@ def ground_plan(
     steps, task = tuple(steps), understand(problem, grounding)
     if encoding == NUMERIC:
         return GroundPlan(NUMERIC, tuple(write_numeric(steps, task)))
-    led = {*task.led, *(step.object for step in steps if not step.place)}
+    led = {*task.led, *(one.object for one in steps if grounding.operator_named(one.base).frame == "object")}
     return write(steps, StripsProblem(task, led=[name for name in task.names if name in led]))
 
 

@@ -124,6 +124,8 @@ def durative_problem_text(problem: Problem, grounding: Grounding) -> str:
         why = f"{problem.name} has goals by relation, or begins with one object on another, so it has"
         raise InvalidValue(f"{why} no durative form.")
     _check_carries(grounding)
+    if task.lying:
+        raise InvalidValue(f"{problem.name} sets things upright, so it has no durative form.")
     if task.led:
         why = f"{', '.join(task.led)} cannot be carried to where it shall be, so {problem.name} has"
         raise InvalidValue(f"{why} no durative form.")

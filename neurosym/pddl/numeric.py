@@ -121,6 +121,9 @@ def numeric_problem(task: Task, *, steps: int = STEPS) -> PddlProblem:
         raise InvalidValue(
             f"The problem {problem.name} is one of relations, which the encoding numeric lacks."
         )
+    if task.lying:
+        said = f"{problem.name} sets things upright, which the encoding numeric lacks."
+        raise InvalidValue(f"The problem {said}")
     facts, values, costs = [Facts("", (("hand-empty",),))], dict[Atom, int](), dict[Atom, int]()
     shift, motions = _shift_of(grounding), list[Typed]()
     for item in problem.objects:

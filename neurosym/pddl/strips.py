@@ -36,11 +36,15 @@ TYPES |= {variable: kind for axis in ALONG for variable, kind in axis.types.item
 WORDS = (
     "object thing place spot perch price motion zone origin count way x-cell y-cell x-shift y-shift nowhere "
     "n0 from-spot from-perch push lift put-down move-x move-y take take-off put-at put put-loaded note-clear "
-    "leave reach-cell reach-lifted reach-place"
+    "leave set-upright reach-cell reach-lifted reach-place"
 )
 """What every page may call its types, constants and actions."""
 _ROW = "  "
 """What rows of a table begin with."""
+
+
+_HAND_IS_FREE = "(ready) (hand-empty)"
+"""What every action needs first that begins something with a thing."""
 
 
 class _Part(NamedTuple):
@@ -62,6 +66,12 @@ def page(grounding: Grounding) -> Domain:
         parts += [_carrying(grounding, "?from"), _relating(grounding)]
     elif grounding.live_on("place"):
         parts += [_carrying(grounding)]
+    if grounding.upright:  # what lies on a side waits until it is set upright
+        begun = f"needs {_HAND_IS_FREE}"
+        parts = [
+            part._replace(actions=part.actions.replace(begun, f"{begun} (settled ?o)")) for part in parts
+        ]
+        parts.append(_RAISING)
     categories = sorted(category.name for category in grounding.objects.categories)
     promise = "A valid plan asks a full hand for nothing but to put down"
     promise += ", and carries only to places that are free." if parts[2:] or not grounding.live else "."
@@ -139,12 +149,12 @@ _LEADING = _Part(
     """,
     actions=f"""
         (push ?o ?m ?dx ?dy ?c) ; begin to push ?o
-            needs (ready) (hand-empty) (by-cells ?o) (pushes ?o ?m ?dx ?dy ?c)
+            needs {_HAND_IS_FREE} (by-cells ?o) (pushes ?o ?m ?dx ?dy ?c)
             adds (due-x ?o ?dx) (due-y ?o ?dy)
             deletes (ready) (done ?o)
             costs (cost ?c)
         (lift ?o ?m ?dx ?dy ?c) ; begin to lift ?o, which stays over cells; put-down sets it down
-            needs (ready) (hand-empty) (by-cells ?o) (on-table ?o) (lifts ?o ?m ?dx ?dy ?c)
+            needs {_HAND_IS_FREE} (by-cells ?o) (on-table ?o) (lifts ?o ?m ?dx ?dy ?c)
             adds (due-x ?o ?dx) (due-y ?o ?dy) (lifted ?o ?m)
             deletes (ready) (hand-empty) (on-table ?o) (done ?o)
             costs (cost ?c)
@@ -161,6 +171,22 @@ _LEADING = _Part(
             needs (ready) (lifted ?o ?m) (goal-lifted ?o ?m ?z) (at-x ?o ?x) (at-y ?o ?y)
                 (goal-cell ?o ?x ?y ?z)
             adds (done ?o)
+    """,
+)
+
+
+_RAISING = _Part(
+    about="What lies on a side, and shall stand, is set upright before it is taken or moved.",
+    types=(),
+    predicates="""
+        (settled ?o) ; ?o lies as it shall, or was set upright
+        (rights ?o ?c) ; ?o can be set upright, at that price
+    """,
+    actions=f"""
+        (set-upright ?o ?c) ; set ?o upright
+            needs {_HAND_IS_FREE} (rights ?o ?c)
+            adds (settled ?o)
+            costs (cost ?c)
     """,
 )
 
@@ -193,7 +219,7 @@ def _carrying(grounding: Grounding, origin: str = "") -> _Part:
         """,
         actions=f"""
             (take ?o ?p) ; take ?o from a spot
-                needs (ready) (hand-empty) (can-take ?o) (stands ?o ?p) {_unloaded(grounding)}
+                needs {_HAND_IS_FREE} (can-take ?o) (stands ?o ?p) {_unloaded(grounding)}
                 adds (taken ?o {FROM_SPOT * has_origins}) (free ?p)
                 deletes (hand-empty) (stands ?o ?p) {"(by-cells ?o)" * bool(grounding.live)} (done ?o)
             (put-at ?o ?p {origin} ?c) ; put ?o, which was taken, at a spot
@@ -243,7 +269,7 @@ def _relating(grounding: Grounding) -> _Part:
         """,
         actions=f"""
             (take-off ?o ?q ?b ?less ?n) ; take ?o from a thing that bears it
-                needs (ready) (hand-empty) (can-take ?o) (stands ?o ?q) (on ?q ?b) (bears ?b ?n)
+                needs {_HAND_IS_FREE} (can-take ?o) (stands ?o ?q) (on ?q ?b) (bears ?b ?n)
                     (next ?less ?n) {_unloaded(grounding)}
                 adds (taken ?o {FROM_PERCH}) (bears ?b ?less)
                 deletes (hand-empty) (stands ?o ?q) (bears ?b ?n) (done ?o)

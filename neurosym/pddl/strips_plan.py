@@ -19,7 +19,7 @@ from neurosym.pddl.strips_problem import (
 )
 from neurosym.pddl.syntax import STRIPS, Atom, Course, EncodingName, words
 from neurosym.problems import spot_named
-from neurosym.tasks.options import PUT_DOWN, put_named
+from neurosym.tasks.options import PUT_DOWN, put_named, step_cost
 from neurosym.tasks.supports import loads_of
 from neurosym.tasks.task import START, Task
 from neurosym.tasks.transition import PlanStep, apply, start
@@ -62,7 +62,9 @@ def action_for(operator: str, grounding: Grounding) -> str:
     if operator.startswith(PUT_DOWN):
         return "put-down"
     found = grounding.operator_named(operator)
-    return {"pair": "put", "place": "put-at"}.get(found.frame) or ("lift" if is_lift(found) else "push")
+    return {"pair": "put", "place": "put-at", "side": "set-upright"}.get(found.frame) or (
+        "lift" if is_lift(found) else "push"
+    )
 
 
 def write(steps: Sequence[PlanStep], printed: StripsProblem) -> GroundPlan:
@@ -108,7 +110,10 @@ class _Writer:
     def take(self, step: PlanStep, *, is_last: bool) -> None:
         """Write a step, which may be the last with its object."""
         name, task = step.object, self._task
-        if step.place:
+        if task.grounding.operator_named(step.base).frame == "side":
+            cost = step_cost(task.lying[name], task.grounding)
+            self.actions.append(("set-upright", name, price_name(cost)))
+        elif step.place:
             (self._put if task.grounding.operator_named(step.base).frame == "pair" else self._carry)(step)
         else:
             self._lead(step)
@@ -252,6 +257,8 @@ def _begun(name: str, arguments: Sequence[str], printed: StripsProblem) -> PlanS
     if kind := next((kind for kind, (verb, _) in BEGUN_BY.items() if verb == name), None):
         wanted, moves = (arguments[1], kind), printed.moves[thing]
         return PlanStep(next(one.name for one in moves if (motion_name(one), one.kind) == wanted), thing)
+    if name == "set-upright":
+        return PlanStep(task.lying[thing].name, thing)
     if name == "put-at":
         task.grounding.table.check(arguments[1], *task.flat.place_named(arguments[1]))
         return PlanStep(task.carriers[thing][0].name, thing, arguments[1])

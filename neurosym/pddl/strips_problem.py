@@ -15,7 +15,7 @@ from neurosym.pddl.grid import GoalRegion, anchor, goal_region, grid_of
 from neurosym.pddl.movement import sums
 from neurosym.pddl.strips import ALONG, FROM_PERCH, FROM_SPOT, NOWHERE
 from neurosym.pddl.syntax import Atom, Facts, PddlProblem, Typed
-from neurosym.tasks.options import Move, Put
+from neurosym.tasks.options import Move, Put, step_cost
 from neurosym.tasks.supports import loads_of
 from neurosym.tasks.task import START, Pair, Task, is_at
 
@@ -115,6 +115,7 @@ class StripsProblem:
         goals: list[Atom] = [("done", name) for name in sorted(task.problem.goals)]
         for target, reference, state in task.problem.relations:
             goals.append(("stands", target, self.perch(task.state_named(state), reference)))
+        goals += [("settled", name) for name in task.lying]
         return PddlProblem(
             name=task.problem.name,
             domain=task.grounding.name,
@@ -187,6 +188,10 @@ class StripsProblem:
     def _facts(self) -> Iterator[Facts]:
         task = self.task
         yield Facts("", (("hand-empty",), ("ready",)))
+        if task.grounding.upright:
+            settled = [("settled", name) for name in task.names if name not in task.lying]
+            raised = [("rights", name, price_name(cost)) for name, cost in self._raised.items()]
+            yield Facts("what lies as it shall, and what is to be set upright", (*settled, *raised))
         if task.places or task.relates:
             yield Facts("where objects are at first", tuple(self._starts()))
         if task.places:
@@ -206,6 +211,7 @@ class StripsProblem:
     def _prices(self) -> list[int]:
         """All that steps cost, in order."""
         found = {move.cost for moves in self.moves.values() for move in moves if move.kind != "put-down"}
+        found |= {*self._raised.values()}
         found |= {cost for _, cost in self._carried} | {cost for way in self._ways for *_, cost in way}
         return sorted(found)
 
@@ -237,6 +243,12 @@ class StripsProblem:
         chain = [*(f"{START}{other}" for other in self.task.blockers(name, spot)), NOWHERE]
         links: list[Atom] = [("then", name, place, here, then) for here, then in pairwise(chain)]
         return [*self._goal_at(name, place, spot), ("check", name, place, chain[0]), *links]
+
+    @cached_property
+    def _raised(self) -> dict[str, int]:
+        """What setting an object upright costs, by its name."""
+        lie, grounding = self.task.lying, self.task.grounding
+        return {name: step_cost(operator, grounding) for name, operator in lie.items()}
 
     @cached_property
     def _carried(self) -> list[tuple[list[str], int]]:

@@ -56,6 +56,7 @@ from neurosym.planners.planner import (
     say_nothing,
 )
 from neurosym.problems import NEAR_TABLE, Problem, check_on_table
+from neurosym.tasks.lying import as_planned, lying
 from neurosym.tasks.task import is_reached, is_relational, relations_of, understand, why_no_relation
 from neurosym.tasks.transition import PlanStep, check_aims, validate
 
@@ -242,12 +243,19 @@ def plan(
     if predict is not None:
         check_callable("predict", predict, "a function from features (M, F) to effects (M, P, 3)")
     problem = msgspec.structs.replace(problem, conditions=())  # its goals were chosen for these
+    lie, problem = lying(problem, grounding), as_planned(problem, grounding)
     chosen = planner_named(planner) if isinstance(planner, str) else planner
     _check_planner(chosen, "given")
     check_options(chosen, encoding=encoding, whole=whole, costs=costs)
     for item in problem.objects:
         check_on_table(item, grounding.table, off=NEAR_TABLE)
     _check_installed(chosen)
+    if unknown := [name for name, operator in lie.items() if operator is None]:
+        reason = f"nothing that was learned sets {unknown[0]} upright as it lies"
+        return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason)
+    raised = tuple(PlanStep(operator.name, name) for name, operator in lie.items() if operator)
+    if raised and is_reached(problem, grounding):
+        return PlanResult(PlanStatus.SOLVED, raised, 0.0)
     query = Query(
         problem,
         grounding if costs else msgspec.structs.replace(grounding, unit_costs=True),
@@ -262,7 +270,7 @@ def plan(
         _check_relations(chosen, query)
     result = chosen.solve(query) if OURS.get(chosen.name) is chosen else solve_checked(chosen, query)
     if result.has_plan or result.reason:
-        return result
+        return dataclasses.replace(result, steps=(*raised, *result.steps)) if result.has_plan else result
     ends = {PlanStatus.TIMEOUT: "found no plan in time", PlanStatus.UNSOLVABLE: "says that there is no plan"}
     said = ends.get(result.status, "failed, and does not say why")
     return dataclasses.replace(result, reason=f"{chosen.name} {said}")

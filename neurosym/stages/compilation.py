@@ -128,12 +128,13 @@ def _placed(problem: Problem, grounding: Grounding) -> Problem:
 
 
 def texts_of(problem: Problem, grounding: Grounding, plans: Sequence[GroundPlan] = ()) -> dict[str, str]:
-    """Print a problem in each way, by file; one of relations has none in numbers.
+    """Print a problem in each way, by file; in numbers neither relations nor what is set upright can be said.
 
     The problem has its places.
     """
     encodings: tuple[EncodingName, ...] = (STRIPS, NUMERIC)
-    encodings = encodings[:1] if understand(problem, grounding).relates else encodings
+    task = understand(problem, grounding)
+    encodings = encodings[:1] if task.relates or task.lying else encodings
     files = {layout.printed_file(problem.name, each): each for each in encodings}
     return {file: _text(problem, grounding, each, plans) for file, each in files.items()}
 
@@ -159,8 +160,8 @@ def compile_stage(
     """
     asked = {layout.PLAIN_DOMAIN: plain, layout.DURATIVE_DOMAIN: durative}
     wanted = [file for file, is_asked in asked.items() if is_asked]
-    places, relations = folder / layout.PLACE_OPERATORS, folder / layout.RELATION_OPERATORS
-    has_places, has_relations = places.exists(), relations.exists()
+    besides = (layout.PLACE_OPERATORS, layout.RELATION_OPERATORS, layout.UPRIGHT_OPERATORS)
+    places, relations, upright = (folder / file if (folder / file).exists() else None for file in besides)
 
     def work() -> None:
         table = OperatorTable.load(folder.require(layout.PRIMITIVES))
@@ -178,8 +179,9 @@ def compile_stage(
             table_bounds=world.table,
             lift_height=world.lift_height,
             turned=turns(world),
-            places=PlaceFile.load(places).table() if has_places else None,
-            relations=PairFile.load(relations).table() if has_relations else None,
+            places=PlaceFile.load(places).table() if places else None,
+            relations=PairFile.load(relations).table() if relations else None,
+            upright=OperatorTable.load(upright) if upright else None,
         )
         write_atomically(folder / layout.DOMAIN, domain_text(grounding))
         write_atomically(folder / layout.NUMERIC_DOMAIN, domain_text(grounding, NUMERIC))
@@ -194,8 +196,7 @@ def compile_stage(
         for scene in sorted((folder / layout.PROBLEMS).glob(f"*{layout.SCENE}")):
             print_problem(folder, load_scene(scene), grounding, wanted)
 
-    aimed = ((layout.PLACE_OPERATORS, has_places), (layout.RELATION_OPERATORS, has_relations))
-    inputs = (layout.WORLD, layout.PRIMITIVES, *(file for file, is_known in aimed if is_known))
+    inputs = (layout.WORLD, layout.PRIMITIVES, *(file for file in besides if (folder / file).exists()))
     outputs = (layout.DOMAIN, layout.NUMERIC_DOMAIN, layout.GROUNDING)
     options = {"cell": cell} | ({"name": name} if name else {})
     return Stage("compile-domain", inputs, outputs, work, options, Claim.ALONE)

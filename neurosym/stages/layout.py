@@ -42,6 +42,10 @@ RELATION_OPERATORS = f"{RELATIONS}/operators.json"
 """`distill`: what brings which pairs of objects into which state, and how surely."""
 RELATION_CHANCES = f"{RELATIONS}/{CHANCES}"
 """`distill`: the network that foresees that, fitted to all that was explored and performed."""
+UPRIGHT = "upright"
+"""What was learned of setting things upright that lie on a side."""
+UPRIGHT_OPERATORS = f"{UPRIGHT}/operators.json"
+"""`distill --upright`: what does so, for each side, and how surely."""
 DOMAIN = "domain.pddl"  # `compile-domain`: the page, all that was learned in one domain
 NUMERIC_DOMAIN = "domain-numeric.pddl"  # `compile-domain`: the same in numbers (PDDL 2.1)
 PLAIN_DOMAIN = "domain-plain.pddl"
@@ -58,7 +62,16 @@ RUNS = "runs"  # `execute`: what became of each plan
 PICTURES = "pictures"  # `show`: pictures; those of the page are in `report`
 REPORT_PICTURES = "pictures/report"  # `report`: the pictures of the page
 COMPARISONS = "comparison"  # `compare`: a folder for each kind of task, with a file for each task
-FOLDERS = (PLACES, PROBLEMS, PLANS, RUNS, PICTURES, REPORT_PICTURES, f"{COMPARISONS}/*")  # as patterns
+FOLDERS = (
+    PLACES,
+    UPRIGHT,
+    PROBLEMS,
+    PLANS,
+    RUNS,
+    PICTURES,
+    REPORT_PICTURES,
+    f"{COMPARISONS}/*",
+)  # as patterns
 PAGE = "report.html"  # `report`: the page
 MANIFEST = "manifest.json"  # every command: how its files came about
 

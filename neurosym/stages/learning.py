@@ -54,6 +54,8 @@ if TYPE_CHECKING:
     from neurosym.primitives.pair_rehearsal import Carriers
 
 
+_MOST_TRIES = 100_000
+"""So many actions are tried at most to set things upright."""
 _FRESH = 600
 """Pairs that nobody touched, to learn states from."""
 _STREAM = 0x6672  # keeps their draws apart from others
@@ -429,6 +431,33 @@ def ledger_of(folder: DomainFolder, aim: Aim, workers: int = 1, free: int = 0) -
     """
     known = {**origin_of(read_world(folder.require(layout.WORLD))), "versions": versions()}
     return Ledger(folder / aim.file(layout.LEDGER), known, workers, free)
+
+
+def upright_stage(folder: DomainFolder, *, tries: int, objects: int, seed: int, workers: int) -> Stage:
+    """Find what sets things upright that lie on a side: `world.toml` -> `upright/operators.json`."""
+    check_count("upright", tries)
+    check_count("objects", objects)
+    check_workers(workers)
+    if tries > _MOST_TRIES:
+        raise InvalidValue(f"upright = {tries} must be at most {_MOST_TRIES:,}.")
+
+    def work() -> None:
+        from neurosym.primitives.uprighting import find_uprighting
+
+        factory = read_world(folder.require(layout.WORLD))
+        path = folder / layout.UPRIGHT_OPERATORS
+        make_folder(path.parent)
+        known = {**origin_of(factory), "versions": versions()}
+        ledger = Ledger(path.parent / layout.LEDGER, known, workers)
+        with progress_bar("setting things upright") as advance:
+            table = find_uprighting(
+                factory, tries=tries, objects=objects, seed=seed, ledger=ledger, progress=advance
+            )
+        write_json(path, table)
+
+    options = {"tries": tries, "objects": objects, "seed": seed}
+    outputs = (layout.UPRIGHT_OPERATORS,)
+    return Stage(f"distill-{layout.UPRIGHT}", (layout.WORLD,), outputs, work, options, Claim.ALONE)
 
 
 def train_stage(

@@ -22,6 +22,7 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.grounding import Grounding
 from neurosym.pair_operators import RelationOperators, extent
 from neurosym.problems import Problem
+from neurosym.tasks.lying import side_of
 from neurosym.tasks.supports import Borne, bearers_of
 from neurosym.world import Table, heading_to
 
@@ -31,8 +32,8 @@ they are as far apart as the other [m]."""
 BESIDE = ("next-to", "apart-from")
 OVER = ("on", "under", "not-on")
 FORMS = (
-    "x=LOW..HIGH, at X,Y or X,Y,Z, heading=DEGREES, within-reach, next-to, apart-from, on, under, not-on, or "
-    "a state of the domain"
+    "x=LOW..HIGH, at X,Y or X,Y,Z, heading=DEGREES, upright, within-reach, next-to, apart-from, on, under, "
+    "not-on, or a state of the domain"
 )
 _PLAIN = {"beside": "next-to", "apart-from": "apart-from", "lies-under": "under", "props-up": "under"}
 """What people call learned states in which nothing is borne, by what their names begin with."""
@@ -59,7 +60,7 @@ class Clause:
         who = self.names[0] if len(self.names) == 1 else f"{self.count} of {','.join(self.names)}"
         ends = (f"{low:g}" if low == high else f"{low:g}..{high:g}" for low, high in self.bounds.values())
         where = " ".join(f"{axis}={said}" for axis, said in zip(self.bounds, ends, strict=True))
-        return f"{who} {where or f'{self.word} {self.other}'}".replace("-inf", "").replace("inf", "")
+        return f"{who} {where or f'{self.word} {self.other}'.strip()}".replace("-inf", "").replace("inf", "")
 
 
 Option = tuple[Clause, ...]
@@ -82,6 +83,8 @@ def _clause(text: str, problem: Problem, grounding: Grounding) -> Clause:
     names, count, words = _who(words, text, problem, grounding)
     if not words:
         raise InvalidValue(f"The condition {text!r} says nothing of {', '.join(names)}; valid: {FORMS}.")
+    if words == ["upright"]:
+        return Clause(names, count, word="upright")
     if words == ["within-reach"]:
         return Clause(names, count, _over(grounding.table))
     if words[0] == "at" and len(words) == 2:
@@ -215,6 +218,8 @@ class Sight:
             asked = {axis: ends for axis, ends in clause.bounds.items() if axis != "heading"}
             is_headed = "heading" not in clause.bounds or self.is_headed(name, clause.bounds["heading"][0])
             return is_headed and self._is_within(self.places[name], asked)
+        if clause.word == "upright":
+            return not side_of(self.lies[name], turned=False)
         if clause.word in BESIDE:
             gap = self.gap(name, clause.other)
             return gap >= APART if clause.word == "apart-from" else self._is_beside(name, clause.other, gap)

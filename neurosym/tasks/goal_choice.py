@@ -20,6 +20,7 @@ from neurosym.grounding import Grounding
 from neurosym.problems import Problem
 from neurosym.tasks import conditions
 from neurosym.tasks.conditions import Clause, options_of
+from neurosym.tasks.lying import as_raised, lying
 from neurosym.tasks.options import Put
 from neurosym.tasks.task import LEAST_GAP, drawn_spots, is_within, understand
 
@@ -76,7 +77,7 @@ def with_goals(problem: Problem, grounding: Grounding) -> Problem:
         return problem
     asked = problem.asked_within or problem.tolerance
     bare = msgspec.structs.replace(
-        problem, goals={}, relations=(), headings={}, tolerance=asked, asked_within=None
+        problem, goals={}, relations=(), headings={}, upright=(), tolerance=asked, asked_within=None
     )
     every = [options_of(text, bare, grounding) for text in problem.conditions]
     sight, found, said = (
@@ -90,19 +91,19 @@ def with_goals(problem: Problem, grounding: Grounding) -> Problem:
         except InvalidValue as error:
             said.append(str(error))
             continue
-        found.append((*_effort(goals, sight), number, goals))
+        found.append((*_effort(goals, sight, grounding), number, goals))
     if not found:
         raise InvalidValue(said[0])
     return min(found, key=lambda one: one[:3])[-1]
 
 
-def _effort(problem: Problem, sight: conditions.Sight) -> tuple[int, float]:
+def _effort(problem: Problem, sight: conditions.Sight, grounding: Grounding) -> tuple[int, float]:
     """Return how many objects are to be moved, and how far in sum."""
     far = [math.dist(problem.goals[name], sight.places[name]) for name in problem.unmet]
     unrelated = [
         one for one in problem.relations if not sight.holds(Clause((one[0],), 1, word="on", other=one[1]))
     ]
-    return len(far) + len(unrelated), math.fsum(far)
+    return len(far) + len(unrelated) + len(lying(problem, grounding)), math.fsum(far)
 
 
 class _Choice:
@@ -111,7 +112,9 @@ class _Choice:
     def __init__(self, sight: conditions.Sight, grounding: Grounding, clauses: Sequence[Clause]):
         self._sight, self._grounding, self._problem = sight, grounding, sight.problem
         self._needs, self._over = dict[str, _Need](), dict[str, tuple[str, str]]()
+        self._set_upright([clause for clause in clauses if clause.word == "upright"])
         self._tolerance, self._ends = self._problem.tolerance, dict[str, Float[np.ndarray, "3"]]()
+        clauses = [clause for clause in clauses if clause.word != "upright"]
         fewest_first = sorted(clauses, key=lambda clause: len(clause.names) - clause.count)
         for clause in fewest_first:
             for name in self._chosen(clause):
@@ -121,6 +124,15 @@ class _Choice:
         for name in [name for name in self._needs if name in sight.supports and self._may_stay(name)]:
             self._stay_borne(name)
             del self._needs[name]
+
+    def _set_upright(self, clauses: Sequence[Clause]) -> None:
+        """Take objects as they will be, once those stand upright that shall."""
+        if names := tuple(dict.fromkeys(name for clause in clauses for name in self._chosen(clause))):
+            self._problem = msgspec.structs.replace(self._problem, upright=names)
+            for name, operator in lying(self._problem, self._grounding).items():
+                if operator is None:
+                    raise InvalidValue(f"Nothing that was learned sets {name} upright as it lies.")
+            self._sight = conditions.Sight(as_raised(self._problem, self._grounding), self._grounding)
 
     def _stay_borne(self, name: str) -> None:
         """Ask for an object to stay on what bears it, and that on what bears that, down to the table."""

@@ -7,7 +7,7 @@ worked out here, when it is first asked for, and kept.
 import math
 from collections import Counter
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import combinations, permutations, product
 
@@ -21,6 +21,7 @@ from neurosym.operators import Operator, Symbol
 from neurosym.pair_operators import Case, PairState, RelationOperators, case_of, extent
 from neurosym.problems import ROUNDED, Problem, RelationGoal, pair_key
 from neurosym.tasks.conditions import unmet_conditions
+from neurosym.tasks.lying import as_planned, lying
 from neurosym.tasks.options import Move, Put, as_moves, carriers_for, moves_for, puts_for, puts_of, step_cost
 from neurosym.tasks.promises import usable
 from neurosym.tasks.supports import Borne, Seen, bearers_of, kinds_of, loads_of, seen_states
@@ -98,10 +99,24 @@ def with_places(problem: Problem, grounding: Grounding) -> Problem:
         and abs(goal[2] - problem.object_named(name).position[2]) <= problem.tolerance
     )
     spots = goal_spots(problem, grounding.table, names)
-    goals = {f"{GOAL}{name}": spot for name, spot in spots.items()}
+    goals = {f"{GOAL}{name}": _in_reach(name, spot, problem, grounding) for name, spot in spots.items()}
     parks = _parks(problem, grounding.table, goals)
     found = {f"{PARK}{number:02d}": spot for number, spot in enumerate(parks, start=1)}
     return msgspec.structs.replace(problem, places={**goals, **found})
+
+
+def _in_reach(
+    name: str, spot: tuple[float, float], problem: Problem, grounding: Grounding
+) -> tuple[float, float]:
+    """Return the spot nearest to one [m] for which what carries an object there aims on the table."""
+    carriers = carriers_for(problem.object_named(name), grounding, problem.tolerance)
+    if not (carriers and (promise := carriers[0].promise)):
+        return spot
+    (x, y), (off_x, off_y) = spot, promise.resting_effect[:2]
+    aim = grounding.table.nearest(x - off_x, y - off_y)
+    if (aim.x, aim.y) == (x - off_x, y - off_y):
+        return spot
+    return round(aim.x + off_x, _DIGITS), round(aim.y + off_y, _DIGITS)
 
 
 def drawn_spots(size: Float[np.ndarray, "2"], table: Table) -> Float[np.ndarray, "N 2"]:
@@ -245,11 +260,14 @@ thing for planners to look at."""
 class Task:
     """A problem and a learned domain together; see `understand`."""
 
-    problem: Problem  # the problem
+    problem: Problem  # the problem, with its objects as plans count them; see `as_planned`
     grounding: Grounding  # the learned domain
     kinds: Mapping[str, Symbol]  # kinds of the pairs of objects, if the domain knows any; see `pair_key`
     seen: Seen  # the states of the pairs at the start
     supports: Mapping[str, Borne]  # what bears each object that another one bears at the start
+    lying: Mapping[str, Operator] = field(
+        default_factory=dict
+    )  # what sets those upright that are to be first
 
     @cached_property
     def flat(self) -> Problem:
@@ -385,10 +403,12 @@ def understand(problem: Problem, grounding: Grounding) -> Task:
         if learned is grounding and (known is problem or known == problem):
             return task
     relations = relations_of(grounding, problem) if problem.relations else grounding.relations
-    kinds = kinds_of(problem, relations)
-    seen = seen_states(problem, relations) if relations else {}
-    supports = bearers_of(problem, relations, kinds, seen) if relations else {}
-    task = Task(problem, grounding, kinds, seen, supports)
+    planned = as_planned(problem, grounding)
+    kinds = kinds_of(planned, relations)
+    seen = seen_states(planned, relations) if relations else {}
+    supports = bearers_of(planned, relations, kinds, seen) if relations else {}
+    lie = {name: operator for name, operator in lying(problem, grounding).items() if operator}
+    task = Task(planned, grounding, kinds, seen, supports, lie)
     _latest.insert(0, (problem, grounding, task))
     del _latest[_REMEMBERED:]
     return task

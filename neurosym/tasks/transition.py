@@ -80,6 +80,7 @@ class State:
     # the place that each other object stands at: where it started, until it was carried
     stands: Mapping[str, str]
     held: PlanStep | None = None  # the step that lifted what the hand holds, if it holds something
+    lying: frozenset[str] = frozenset()  # names of the objects that are still to be set upright
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +112,7 @@ class Replay:
 def start(task: Task) -> State:
     """Return how the objects of a task are at first."""
     stands = {name: f"{START}{name}" for name in task.names if name not in task.supports}
-    return State(task.problem.scene().positions, task.supports, stands)
+    return State(task.problem.scene().positions, task.supports, stands, lying=frozenset(task.lying))
 
 
 def validate(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> Replay:
@@ -143,6 +144,8 @@ def apply(task: Task, state: State, step: PlanStep) -> State:
     """Return how the objects are after a step, whether it is possible or not; see `refusal`."""
     target, grounding, after = step.object, task.grounding, state.positions.copy()
     row = task.names.index(target)
+    if grounding.operator_named(step.base).frame == "side":  # where it stands then, it counts as standing now
+        return replace(state, lying=state.lying - {target})
     if not step.place:
         operator = operator_for(step, task.problem, grounding)
         by = grounding.put_down_displacement if step.puts_down else grounding.displacement
@@ -164,11 +167,13 @@ def apply(task: Task, state: State, step: PlanStep) -> State:
         stands[target] = step.place
     moved = [row, *(task.names.index(one) for one in carried_along(target, state.supports))]
     after[moved] += spot - state.positions[row]
-    return State(after, supports, stands)
+    return State(after, supports, stands, lying=state.lying)
 
 
 def missed(task: Task, state: State) -> tuple[str, str] | None:
     """Name the first object that misses its goal now, and say how; None if none does."""
+    for name in sorted(state.lying):
+        return name, f"{name} ends on a side, and shall stand upright"
     for target, reference, name in task.problem.relations:
         asked, borne = task.state_named(name), state.supports.get(target)
         if borne != Borne(reference, asked):
@@ -290,7 +295,13 @@ def _refusals(task: Task, state: State, step: PlanStep) -> Iterator[Refusal]:
     operator = None if put else operator_for(step, task.problem, task.grounding)
     if said := _hand_refusal(step, state.held, operator):
         yield Refusal(said, (state.held.object,) if state.held and not step.puts_down else ())
-    if put:
+    raises = task.lying[target].name if target in state.lying else ""
+    if raises and step.operator != raises:
+        yield Refusal(f"{target} lies on a side; {raises} is to set it upright first")
+    if operator and operator.frame == "side":
+        if not raises:
+            yield Refusal(f"{target} need not be set upright")
+    elif put:
         yield from _why_not_put(task, state, step, put)
     elif step.place:
         own = promised(task.grounding, task.problem.object_named(target), task.problem.tolerance)
@@ -380,7 +391,7 @@ def expected_within(steps: Sequence[PlanStep], problem: Problem, grounding: Grou
     last = {step.object: number for number, step in enumerate(performed)}
     done, again = list[float](), list[float]()
     for number, (step, kept) in enumerate(zip(performed, chances, strict=True)):
-        outcomes = promise_of(step, problem, grounding).outcomes
+        outcomes = promise_of(step, task.problem, grounding).outcomes
         lost = math.fsum(one.share for one in outcomes if one.kind == "lost")
         if number == last[step.object] and step.object in problem.goals:
             kept *= _chance_at_goal(task, step.object, steps, end)

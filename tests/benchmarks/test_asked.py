@@ -8,7 +8,7 @@ from places import ROOT
 from neurosym.stages.folder import DomainFolder
 from neurosym.tasks.conditions import unmet_conditions
 from tools.benchmarks.asked import evaluate
-from tools.benchmarks.asked.tasks import DRAWN, FORMS, headed, said, turned
+from tools.benchmarks.asked.tasks import DRAWN, FORMS, fallen, headed, said, turned
 from tools.benchmarks.domains import bench_of
 
 FOUND = {
@@ -21,9 +21,7 @@ FOUND = {
         {"status": "solved", "reached": True, "blind": False, "chance": 0.4},
         {"status": "solved", "reached": True, "blind": True, "chance": 0.7},
     ],
-    "upright-0": {"tries": 30, "upright": [{"side": 0, "action": [0.0]}] * 2, "moved": 20},
-    "upright-1": {"tries": 10, "upright": [], "moved": 5},
-    "best-0": {"side": 0, "action": [0.0], "share": 0.5},
+    "set-upright-0": [{"status": "solved", "blind": {"reached": False}, "replanned": {"reached": True}}],
 }
 
 
@@ -31,13 +29,13 @@ def test_found_is_summed_up_and_told():
     told = evaluate.summarise(FOUND)
     assert told["turned"] == {"1": 1.0, "4": None}
     assert (told["goal_forms"], told["boxes"]) == (1, {"blind": 0.5, "replanned": 1.0})
-    assert told["upright"] == {"tries": 40, "upright": 2, "moved": 25, "best": [0.5]}
+    assert told["upright"] == {"blind": 0.0, "replanned": 1.0}
     assert told["chances"] == [{"plans": 2, "said": 0.55, "came": 0.5}]
     page = evaluate.page(told)
     assert "| 2 | 55 % | 50 % (9 to 91) |" in page
     assert "| form: next to | 1 | 1 |" in page
     assert "*form: next to*: There is no room. (1)" in page
-    assert "Of 40 random actions" in page
+    assert "| set upright | 1 | 1 |" in page
 
 
 def test_the_page_is_that_of_the_figures():
@@ -59,6 +57,15 @@ def test_every_form_is_asked_for_in_a_drawn_scene(form, towers):
     assert drawn.goals or drawn.relations
     assert len(drawn.conditions) == 1
     assert [*unmet_conditions(drawn, towers[0].setting.grounding)] in ([], [*drawn.conditions])
+
+
+def test_what_lies_on_a_side_shall_stand():
+    folder = DomainFolder(ROOT / "domains" / "places")
+    bench = bench_of(folder.path)
+    for is_brought in (False, True):
+        drawn = fallen(is_brought, bench, folder, 960_001)
+        assert drawn.upright == ("item-01",)
+        assert ("item-01" in drawn.goals) == is_brought
 
 
 def test_things_lie_turned_and_are_to_be_turned(towers):

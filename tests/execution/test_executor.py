@@ -1,6 +1,5 @@
 """Execution on the toy world: promises kept or broken, its record, who watches, and what is run again."""
 
-import math
 from importlib.metadata import version
 from pathlib import Path
 
@@ -13,11 +12,9 @@ from toy_domain import LEFT, WORLD, grounding, problem
 from neurosym.errors import UnknownChoice
 from neurosym.execution.executor import execute
 from neurosym.execution.performance import STOP, Answer, Moment, compare_runs, rerun
-from neurosym.execution.record import Nudge, Replanning, Run, as_it_shows, this_machine
-from neurosym.grounding import Grounding
+from neurosym.execution.record import Nudge, Replanning, Run, this_machine
 from neurosym.operators import Primitive
 from neurosym.planners import plan
-from neurosym.problems import SceneObject
 from neurosym.stages.layout import run_file
 from neurosym.tasks.transition import PlanStep
 
@@ -73,42 +70,6 @@ def test_step_that_ends_far_from_its_promise_is_not_as_promised_though_it_ends_a
     assert (step.promised, step.happened) == ("resting", "resting")
     assert step.deviation == pytest.approx(0.06)
     assert not step.as_promised
-
-
-def lying(degrees: float, axis: int = 2) -> SceneObject:
-    half = math.radians(degrees) / 2
-    turn = [0.0, 0.0, 0.0, math.cos(half)]
-    turn[axis] = math.sin(half)
-    return SceneObject("item-01", "00", (0.04, 0.1, 0.06, 0.0), (0.5, 0.0, 0.03), tuple(turn))
-
-
-@pytest.mark.parametrize(
-    ("degrees", "axis", "sizes"),
-    [
-        (0, 2, (0.04, 0.1, 0.06)),
-        (10, 2, (0.04, 0.1, 0.06)),
-        (90, 2, (0.1, 0.04, 0.06)),
-        (-80, 2, (0.1, 0.04, 0.06)),
-        (180, 2, (0.04, 0.1, 0.06)),
-        (90, 0, (0.04, 0.06, 0.1)),
-        (45, 2, (0.14 * math.sqrt(0.5), 0.14 * math.sqrt(0.5), 0.06)),
-    ],
-)
-def test_sizes_are_those_of_the_box_around_the_object(degrees: float, axis: int, sizes: tuple[float, ...]):
-    shown = as_it_shows(lying(degrees, axis), tables.grounding())
-    assert shown.features[:3] == pytest.approx(sizes, abs=1e-6)
-    assert shown.features[3] == 0.0
-    assert shown.category == "00"
-
-
-def test_category_is_that_of_rehearsed_objects_of_such_sizes():
-    wide, deep = (0.1, 0.04, 0.06, 0.0), (0.04, 0.1, 0.06, 0.0)
-    kept = {"00": (deep,), "11": (wide,)}
-    table = tables.table()
-    categories = tuple(replace(one, objects=kept[one.symbol]) for one in table.categories)
-    learned: Grounding = replace(tables.grounding(), objects=replace(table, categories=categories))
-    assert as_it_shows(lying(5), learned).category == "00"
-    assert as_it_shows(lying(95), learned).category == "11"
 
 
 HERE = this_machine()

@@ -9,6 +9,8 @@
     cost4 - price)
   (:init
     (hand-empty) (ready)
+    ; what lies as it shall, and what is to be set upright
+    (settled item-01)
     ; where objects are at first
     (stands item-01 start-item-01) (can-take item-01)
     ; goal-item-01 lies at (0.4576, 0.0660) m

@@ -24,6 +24,15 @@
     spot-5054-m192 spot-9015-m2292 - spot)
   (:init
     (hand-empty) (ready)
+    ; what lies as it shall, and what is to be set upright
+    (settled item-01)
+    (settled item-02)
+    (settled item-03)
+    (settled item-04)
+    (settled item-05)
+    (settled item-06)
+    (settled item-07)
+    (settled item-08)
     ; where objects are at first
     (stands item-01 start-item-01) (can-take item-01)
     (stands item-02 start-item-02)

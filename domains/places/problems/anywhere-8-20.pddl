@@ -22,6 +22,15 @@
     spot-5306-m139 spot-5837-m2407 spot-6654-2227 spot-7645-m1568 - spot)
   (:init
     (hand-empty) (ready)
+    ; what lies as it shall, and what is to be set upright
+    (settled item-01)
+    (settled item-02)
+    (settled item-03)
+    (settled item-04)
+    (settled item-05)
+    (settled item-06)
+    (settled item-07)
+    (settled item-08)
     ; where objects are at first
     (stands item-01 start-item-01) (can-take item-01)
     (stands item-02 start-item-02) (can-take item-02)

@@ -10,6 +10,11 @@
     cost4 cost11 - price)
   (:init
     (hand-empty) (ready)
+    ; what lies as it shall, and what is to be set upright
+    (settled item-01)
+    (settled item-02)
+    (settled item-03)
+    (settled item-04)
     ; where objects are at first
     (stands item-01 start-item-01) (can-take item-01)
     (stands item-02 start-item-02) (can-take item-02)

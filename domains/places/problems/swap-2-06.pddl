@@ -18,6 +18,9 @@
     spot-7024-m1156 - spot)
   (:init
     (hand-empty) (ready)
+    ; what lies as it shall, and what is to be set upright
+    (settled item-01)
+    (settled item-02)
     ; where objects are at first
     (stands item-01 start-item-01)
     (stands item-02 start-item-02) (can-take item-02)

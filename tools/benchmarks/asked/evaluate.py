@@ -1,7 +1,7 @@
 """Is done what people ask for? `make evaluate-asked`, into docs/results/asked.*.
 
-Things lie turned, goals are conditions in words, some towers and boxes are tried, and what has toppled is
-pushed about. Domains are those that are shipped. Goes on where it was interrupted.
+Things lie turned or on a side, goals are conditions in words, and some towers and boxes are tried. Domains
+are those that are shipped. Goes on where it was interrupted.
 """
 
 import json
@@ -13,9 +13,8 @@ from typing import Any
 
 from neurosym.errors import InvalidValue
 from neurosym.stages.folder import DomainFolder
-from neurosym.worlds.world_file import read_world
 from tools.benchmarks import options
-from tools.benchmarks.asked.tasks import ALL_SHAPES, DRAWN, FORMS, set_upright, set_upright_again
+from tools.benchmarks.asked.tasks import ALL_SHAPES, DRAWN, FORMS
 from tools.benchmarks.domains import bench_of
 from tools.benchmarks.jobs import Evaluation, Jobs
 from tools.benchmarks.planning.jobs import blocks
@@ -33,7 +32,7 @@ RELATED = {BOXES: 50, ONE_PUT: 40}
 """What is tried of relations, and how many tasks of each."""
 BIN = 30
 """So many plans with relations of like chance are looked at together."""
-_BLOCK, _TRIES, _AGAIN = 5, 50, 16
+_BLOCK = 5
 
 
 def main(
@@ -55,21 +54,6 @@ def main(
             for block in blocks(options.scaled(scale, count), _BLOCK)
         }
         evaluation.perform(jobs, name, report)
-    upright: Jobs = {f"upright-{seed}": partial(_upright, seed) for seed in range(options.scaled(scale, 10))}
-    evaluation.perform(upright, "toppled objects", report)
-    found = evaluation.found()
-    again: Jobs = {
-        f"again-{job}-{number}": partial(_upright_again, FIRST_TASK + number, one, _AGAIN)
-        for job in upright
-        for number, one in enumerate(found[job]["upright"])
-    }
-    evaluation.perform(again, "what set them upright", report)
-    found = evaluation.found()
-    for side in (0, 1):
-        tried = {name: found[name] for name in again if found[name]["side"] == side}
-        for best in sorted(tried, key=lambda name: (tried[name]["share"], name))[-1:]:
-            job: Jobs = {f"best-{side}": partial(_upright_again, FIRST_TASK - 1, tried[best], _TRIES)}
-            evaluation.perform(job, "the best of it", report)
     words = _words()
     for name, count in RELATED.items():
         related: Jobs = {
@@ -98,15 +82,6 @@ def _try(name: str, block: Sequence[int]) -> list[Any]:
     return found
 
 
-def _upright(seed: int) -> dict[str, Any]:
-    return set_upright(read_world(PLACES / "world.toml")(), FIRST_TASK + seed, _TRIES)
-
-
-def _upright_again(seed: int, found: Mapping[str, Any], times: int) -> dict[str, Any]:
-    share = set_upright_again(read_world(PLACES / "world.toml")(), seed, found, times)
-    return {"side": found["side"], "action": found["action"], "share": share}
-
-
 def _words() -> Mapping[str, Sequence[str]]:
     """Read which states of the shipped domain mean what, as `make evaluate-relations` measured it."""
     with zipfile.ZipFile(options.RESULTS / "relations-records.zip") as records:
@@ -124,7 +99,6 @@ def summarise(found: Mapping[str, Any]) -> dict[str, Any]:
     """Sum up what was tried."""
     kinds = {name: _counted(_rows(found, _slug(name))) for name in DRAWN}
     kinds |= {name: _counted([_as_trial(row) for row in _rows(found, _slug(name))]) for name in RELATED}
-    toppled = [one for name, one in found.items() if name.startswith("upright-")]
     return {
         "turned": {n: kinds[f"turned, {n} object{'s' * (n != '1')}"]["replanned"] for n in ("1", "4")},
         "headings": kinds["headings"]["replanned"],
@@ -132,12 +106,7 @@ def summarise(found: Mapping[str, Any]) -> dict[str, Any]:
         "boxes": {how: kinds[BOXES][how] for how in ("blind", "replanned")},
         "one_put": kinds[ONE_PUT]["replanned"],
         "all_shapes_8": kinds[ALL_SHAPES]["replanned"],
-        "upright": {
-            "tries": sum(one["tries"] for one in toppled),
-            "moved": sum(one["moved"] for one in toppled),
-            "upright": sum(len(one["upright"]) for one in toppled),
-            "best": [found[name]["share"] for name in ("best-0", "best-1") if name in found],
-        },
+        "upright": {how: kinds["set upright"][how] for how in ("blind", "replanned")},
         "chances": _chances([row for name in RELATED for row in _rows(found, _slug(name))]),
         "kinds": kinds,
     }
@@ -197,7 +166,6 @@ def page(found: Mapping[str, Any]) -> str:
         for name, one in found["kinds"].items()
         if one["tasks"]
     ]
-    toppled = found["upright"]
     never = [
         f"*{name}*: {reason} ({count})" for name, one in found["kinds"].items()
         for reason, count in one["cannot_be"].items()
@@ -206,7 +174,8 @@ def page(found: Mapping[str, Any]) -> str:
         "# What people ask for, measured",
         "By `make evaluate-asked`, which wrote this page and `asked.json`, with the shipped domains. Goals "
         "within 50 mm, headings within 15 degrees. Objects of the first three rows can be grasped, and lie "
-        "at any angle; of four, each that has room for it, which are two of three. Forms of goals "
+        "at any angle; of four, each that has room for it, which are two of three. What is to be set upright "
+        "lies on any side, with another object on the table. Forms of goals "
         "are asked for among four objects in `domains/towers`, where relations are tried, too; geometry says "
         "what came out of these.",
         table("what | tasks | planned | followed blindly | replanned", rows),
@@ -221,12 +190,6 @@ def page(found: Mapping[str, Any]) -> str:
                 for one in found["chances"]
             ],
         ),
-        "## What has toppled",
-        f"Of {toppled['tries']:,} random actions on objects that lie on their sides, {toppled['moved']:,} "
-        f"moved these, and {toppled['upright']:,} set one upright. Each of these was performed on "
-        f"{_AGAIN} others on the same side, and the best for each side on {_TRIES} more. "
-        f"It set {' and '.join(map(percent, toppled['best'])) or '-'} of these upright. No "
-        "domain plans with it.",
     )
 
 

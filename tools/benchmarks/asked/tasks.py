@@ -1,20 +1,22 @@
-"""Tasks as people bring them: things lie turned, goals are conditions in words, and what has toppled."""
+"""Tasks as people bring them: things lie turned or on a side, and goals are conditions in words."""
 
-from collections.abc import Callable, Iterator, Mapping
+import math
+from collections.abc import Callable, Mapping
 from functools import partial
-from itertools import islice
-from typing import Any
+from itertools import count
 
 import msgspec
 import numpy as np
 
 from neurosym.evaluation.comparison import Bench
+from neurosym.operators import vector
+from neurosym.primitives.uprighting import laid
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.problem_making import sight_of_pairs
 from neurosym.tasks.goal_choice import with_goals
+from neurosym.tasks.lying import SIDES, side_of
 from neurosym.tasks.supports import with_pairs
-from neurosym.world import Scene, World
 from neurosym.worlds.task_drawing import lying_turned
 from tools.benchmarks.carrying.tasks import far
 
@@ -36,6 +38,10 @@ FORMS: Mapping[str, str] = {
 }
 """Conditions of every form: `a`, `b` and `d` can be grasped, `c` is the widest, `kind` that of `a`."""
 OBJECTS = 4
+ROOM = 0.2
+"""How far apart two objects are at least of which one is laid on a side [m]."""
+SEEDS_APART = 100_000
+"""How far apart the seeds are of scenes that are drawn anew, since what is laid on a side rolls off it."""
 
 
 def turned(objects: int, bench: Bench, _: DomainFolder, seed: int) -> Problem:
@@ -49,6 +55,25 @@ def headed(bench: Bench, folder: DomainFolder, seed: int) -> Problem:
     ((name, (x, y, _)),) = drawn.goals.items()
     wanted = f"{name} at {x:.3f},{y:.3f} and {name} heading={rng.integers(-90, 90)}"
     return with_goals(msgspec.structs.replace(drawn, goals={}, conditions=(wanted,)), bench.setting.grounding)
+
+
+def fallen(is_brought: bool, bench: Bench, _: DomainFolder, seed: int) -> Problem:
+    """Draw two graspable objects; the first lies on a side and shall stand, brought to its goal or not."""
+    grounding, world = bench.setting.grounding, bench.setting.world
+    for number in count(seed, SEEDS_APART):
+        drawn, side = far(bench, 2, number, graspable=True), [*SIDES][seed % len(SIDES)]
+        first, *others = drawn.objects
+        lies = laid(drawn.only(first.name).scene(), side)
+        at_rest = world.interact(lies, world.action_box.high, 0).start
+        has_room = math.dist(first.position, others[0].position) > ROOM
+        if has_room and side_of(at_rest.orientations[0], turned=False) == side:
+            break
+    pose = {"position": vector(lies.positions[0]), "orientation": tuple(lies.orientations[0].tolist())}
+    objects = (msgspec.structs.replace(first, **pose), *others)
+    x, y, _ = drawn.goals[first.name]
+    wanted = f"{first.name} upright" + f" and {first.name} at {x:.3f},{y:.3f}" * is_brought
+    asked = msgspec.structs.replace(drawn, objects=objects, goals={}, conditions=(wanted,))
+    return with_goals(asked, grounding)
 
 
 def said(form: str, bench: Bench, folder: DomainFolder, seed: int) -> Problem:
@@ -77,53 +102,9 @@ DRAWN: Mapping[str, tuple[Draw, int]] = {
     "turned, 1 object": (partial(turned, 1), 60),
     "turned, 4 objects": (partial(turned, 4), 40),
     "headings": (headed, 60),
+    "set upright": (partial(fallen, False), 60),
+    "set upright, and brought": (partial(fallen, True), 40),
     **{f"form: {form}": (partial(said, form), 5) for form in FORMS},
     ALL_SHAPES: (all_shapes, 10),
 }
 """What is tried, by name, and how many tasks of each."""
-
-
-def set_upright(world: World, seed: int, tries: int) -> dict[str, Any]:
-    """Perform random actions on objects that have toppled, and list those after which one stands upright."""
-    rng, upright, moved, rested = np.random.default_rng([seed, 90]), list[dict[str, Any]](), 0, 0
-    for side, toppled in islice(_toppled(world, rng), tries):
-        action = world.action_box.sample(rng, 1)[0]
-        outcome = world.interact(toppled, action, 0)
-        if _stands(outcome.start):  # it does not rest on that side by itself
-            continue
-        rested += 1
-        moved += bool(np.linalg.norm(outcome.resting_effect) > 0.01)
-        if _stands(outcome.end):
-            upright.append({"side": side, "action": action.tolist()})
-    return {"tries": rested, "moved": moved, "upright": upright}
-
-
-def set_upright_again(world: World, seed: int, found: Mapping[str, Any], times: int) -> float:
-    """Say how often an action sets others upright that lie on the same side, as a share."""
-    rng, good, rested = np.random.default_rng([seed, 91]), 0, 0
-    alike = (toppled for side, toppled in _toppled(world, rng) if side == found["side"])
-    for toppled in islice(alike, times):
-        outcome = world.interact(toppled, np.array(found["action"]), 0)
-        rested += not _stands(outcome.start)
-        good += not _stands(outcome.start) and _stands(outcome.end)
-    return good / max(1, rested)
-
-
-def _toppled(world: World, rng: np.random.Generator) -> Iterator[tuple[int, Scene]]:
-    """Draw objects that have toppled, each with the axis about which it has: 0 for x, 1 for y."""
-    while True:
-        scene = world.sample_scene(rng, 1)
-        x, y = scene.features[0][:2]
-        angle = np.pi / 4  # half of a quarter turn
-        axis = int(rng.integers(2))
-        orientation = np.zeros((1, 4))
-        orientation[0, axis], orientation[0, 3] = np.sin(angle), np.cos(angle)
-        position = scene.positions.copy()
-        position[0, 2] = (y if axis == 0 else x) / 2
-        yield axis, Scene(scene.features, position, orientation)
-
-
-def _stands(scene: Scene) -> bool:
-    """Say whether the side of the only object that was up at first is up."""
-    x, y, _, _ = scene.orientations[0]
-    return bool(1 - 2 * (x * x + y * y) > 0.9)

@@ -1,0 +1,137 @@
+"""How objects lie: by which sizes they count, on which side, and what sets them upright again.
+
+What was learned holds for objects that stand straight. One that was turned by a quarter has its sizes along
+other axes; one that stands askew is as wide as the box around it. What shall stand upright, and lies on a
+side, is set upright before anything else is done with it, so plans count it as it stands then.
+"""
+
+import math
+from collections.abc import Mapping
+
+import msgspec
+import numpy as np
+
+from neurosym.checks import Bool, Float
+from neurosym.grounding import Grounding
+from neurosym.operators import Operator, Symbol, vector
+from neurosym.pair_operators import rotation
+from neurosym.problems import Problem, SceneObject
+from neurosym.world import Outcome, OutcomeKind, heading, turned_by
+
+STRAIGHT = math.radians(15)
+"""An object that is turned by less than this beyond a quarter counts as straight [rad]."""
+SIDES: Mapping[Symbol, str] = {"00": "forward", "01": "back", "10": "left", "11": "right"}
+"""The sides that an object may lie on, by where its top points as motions are turned."""
+UPRIGHT, OVER = "", "1"  # what stands for no side, and for upside down
+_STANDS = math.cos(math.radians(30))
+
+
+def side_of(orientation: Float[np.ndarray, "4"], turned: bool) -> Symbol:
+    """Return on which side an object lies, `UPRIGHT` if it stands; motions may be turned as it lies."""
+    x, y, z = turned_by(-heading(orientation) if turned else 0.0, rotation(orientation)[:, 2]).tolist()
+    if abs(z) > _STANDS:
+        return UPRIGHT if z > 0 else OVER
+    axis, along = (0, x) if abs(x) >= abs(y) else (1, y)
+    return f"{axis}{int(along < 0)}"
+
+
+def righted(outcome: Outcome) -> OutcomeKind:
+    """Return how a target ended that was to be set upright: at rest if it stands, else toppled."""
+    if outcome.lost or outcome.held:
+        return outcome.kind
+    return "toppled" if side_of(outcome.end.orientations[outcome.target], turned=False) else "resting"
+
+
+def righting(item: SceneObject, grounding: Grounding) -> Operator | None:
+    """Return what sets an object upright that lies as it does, and how it moves it; None if nothing does."""
+    orientation = np.array(item.orientation)
+    side, turn = side_of(orientation, grounding.turned), _turn(item, grounding)
+    known = grounding.upright.operators if grounding.upright else ()
+    operator = next((one for one in known if one.subject == side), None)
+    if operator is None or operator.promise is None:
+        return None
+    x, y = turned_by(turn, np.array(operator.promise.resting_effect[:2])).tolist()
+    by = (x, y, item.features[2] / 2 - item.position[2])
+    mode = msgspec.structs.replace(operator.promise, resting_effect=by)
+    others = (one for one in operator.outcomes if one is not operator.promise)
+    return msgspec.structs.replace(operator, outcomes=(mode, *others))
+
+
+def lying(problem: Problem, grounding: Grounding) -> dict[str, Operator | None]:
+    """Return what sets each object upright that shall stand and does not, by its name; None if nothing."""
+    return {
+        name: righting(item, grounding)
+        for name in problem.upright
+        if side_of(np.array((item := problem.object_named(name)).orientation), turned=False)
+    }
+
+
+def as_raised(problem: Problem, grounding: Grounding) -> Problem:
+    """Return a problem with what is to be set upright as it will stand then."""
+    raised = {name: operator for name, operator in lying(problem, grounding).items() if operator}
+    objects = (
+        _raised(item, raised[item.name], grounding) if item.name in raised else item
+        for item in problem.objects
+    )
+    return msgspec.structs.replace(problem, objects=tuple(objects)) if raised else problem
+
+
+def as_planned(problem: Problem, grounding: Grounding) -> Problem:
+    """Return a problem with its objects as plans count them: as they show, or will once they are upright.
+
+    What stands askew counts as it was drawn, unless it is given as it shows.
+    """
+    raised = as_raised(problem, grounding)
+    objects = tuple(
+        as_it_shows(item, grounding) if _faces(item, grounding).any(0).all() else item
+        for item in raised.objects
+    )
+    return raised if objects == raised.objects else msgspec.structs.replace(raised, objects=objects)
+
+
+def _raised(item: SceneObject, operator: Operator, grounding: Grounding) -> SceneObject:
+    """Return an object as it will stand once an operator has set it upright."""
+    assert operator.promise is not None, "only what promises something is chosen"
+    position = vector(np.add(item.position, operator.promise.resting_effect))
+    return msgspec.structs.replace(item, position=position, orientation=_about(_turn(item, grounding)))
+
+
+def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:
+    """Return an object with the sizes that it has along the axes, and the category of objects like that.
+
+    Its first three features are these sizes [m]; unless it stands askew, it lies as if it had been drawn so.
+    Where no rehearsals are kept, the category stays.
+    """
+    faces = _faces(item, grounding)
+    is_askew = not faces.any(0).all()
+    turned = _along(item, grounding) if is_askew else faces.astype(float)
+    if np.array_equal(turned, np.eye(3)):
+        return item
+    shown = tuple(round(size, 6) for size in (turned @ np.array(item.features[:3])).tolist())
+    features, category = (*shown, *item.features[3:]), item.category
+    categories = grounding.objects.categories
+    if rehearsed := [(row, one.symbol) for one in categories for row in one.objects]:
+        objects = np.array([row for row, _ in rehearsed])
+        apart = (objects - features) / np.maximum(objects.std(0), 1e-9)
+        category = rehearsed[int(np.argmin((apart**2).sum(1)))][1]
+    lies = item.orientation if is_askew else _about(_turn(item, grounding))
+    return msgspec.structs.replace(item, features=features, category=category, orientation=lies)
+
+
+def _along(item: SceneObject, grounding: Grounding) -> Float[np.ndarray, "3 3"]:
+    """Return how far each axis of an object, a column each, points along those that motions are turned to."""
+    return np.asarray(np.abs(turned_by(-_turn(item, grounding), rotation(np.array(item.orientation)).T).T))
+
+
+def _faces(item: SceneObject, grounding: Grounding) -> Bool[np.ndarray, "3 3"]:
+    """Say along which axis each axis of an object points, if it lies straight on a face."""
+    return np.asarray(_along(item, grounding) > math.cos(STRAIGHT))
+
+
+def _turn(item: SceneObject, grounding: Grounding) -> float:
+    """Return by what angle motions are turned for an object [rad]."""
+    return heading(np.array(item.orientation)) if grounding.turned else 0.0
+
+
+def _about(turn: float) -> tuple[float, float, float, float]:
+    return (0.0, 0.0, math.sin(turn / 2), math.cos(turn / 2))
