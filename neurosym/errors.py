@@ -5,8 +5,8 @@ import re
 import shlex
 import sys
 import unicodedata
-from collections.abc import Callable, Iterable, Sequence
-from contextlib import AbstractContextManager, nullcontext, suppress
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
@@ -199,6 +199,15 @@ class InvalidPlan(NeurosymError):
 
     def __init__(self, path: Path, line: int, problem: str):
         super().__init__(f"{path}, line {line}: {problem}.")
+
+
+@contextmanager
+def blaming(path: Path) -> Iterator[None]:
+    """Have what cannot be, where it is what a file holds, be said of the file: as `InvalidFile`."""
+    try:
+        yield
+    except (InvalidValue, UnknownChoice) as error:
+        raise InvalidFile(path, str(error).rstrip(".")) from error
 
 
 # How long work reports how far it has come

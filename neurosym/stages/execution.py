@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import msgspec
 
 from neurosym.checks import check_count, check_seed
-from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, blaming
 from neurosym.execution.executor import execute
 from neurosym.execution.performance import Agreement, Watcher, compare_runs, rerun
 from neurosym.execution.record import Run, StepRecord, this_machine
@@ -170,14 +170,12 @@ def replay_run(folder: DomainFolder, record: Path, showing: Showing = Showing())
     run = read_json(record, Run)
     grounding, world = Grounding.load(folder.require(GROUNDING)), painted_world(folder.require(WORLD))
     problem = load_problem(folder, run.problem, world)
-    try:
+    with blaming(record):
         problem = problem.within(run.tolerance)
         for step in run.steps:
             grounding.operator_named(step.operator)
         for name in (*(step.object for step in run.steps), *(nudge.object for nudge in run.nudges)):
             problem.object_named(name)
-    except (InvalidValue, UnknownChoice) as error:
-        raise InvalidFile(record, str(error).rstrip(".")) from error
     again = _shown(showing, world, problem, partial(rerun, world, problem, grounding, run))
     return run, compare_runs(run, again)
 

@@ -20,10 +20,10 @@ import msgspec
 from neurosym.errors import (
     FolderNotFound,
     FolderTaken,
-    InvalidFile,
     InvalidValue,
     StageMissing,
     UnknownChoice,
+    blaming,
     quoted,
     version_of,
 )
@@ -376,10 +376,8 @@ def load_scene(path: Path) -> "Problem":
     from neurosym.problems import Problem
 
     problem, name = Problem.load(path), path.name.removesuffix(layout.SCENE)
-    try:
+    with blaming(path):
         return problem if problem.name == name else msgspec.structs.replace(problem, name=name)
-    except InvalidValue as error:
-        raise InvalidFile(path, str(error).rstrip(".")) from error
 
 
 def _command(folder: Path, stage: str, made: str) -> str:

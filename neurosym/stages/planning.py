@@ -8,7 +8,7 @@ import numpy as np
 
 from neurosym.choices import is_factory
 from neurosym.contract import ObjectLimits, limits_of
-from neurosym.errors import InvalidFile, InvalidPlanner, InvalidValue, StageMissing, UnknownChoice, quoted
+from neurosym.errors import InvalidPlanner, InvalidValue, StageMissing, blaming, quoted
 from neurosym.grounding import Grounding
 from neurosym.operators import symbols_of
 from neurosym.pddl.problem_check import check_problem
@@ -113,10 +113,8 @@ def check_scene(folder: DomainFolder, problem: Problem, path: Path, world: World
     """
     grounding = Grounding.load(folder / GROUNDING) if (folder / GROUNDING).is_file() else None
     limits = limits_of(world) if world else _limits(folder)
-    try:
+    with blaming(path):
         check_problem(problem, grounding, limits)
-    except (InvalidValue, UnknownChoice) as error:
-        raise InvalidFile(path, str(error).rstrip(".")) from error
 
 
 def _limits(folder: DomainFolder) -> ObjectLimits | None:

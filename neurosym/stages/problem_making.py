@@ -12,7 +12,7 @@ import numpy as np
 
 from neurosym.checks import Float
 from neurosym.choices import AnyTask, TaskKind
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidValue, UnknownChoice, blaming
 from neurosym.files import digest
 from neurosym.formats import PlaceFile
 from neurosym.grounding import Grounding
@@ -274,12 +274,10 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
         grounding = Grounding.load(folder.require(layout.GROUNDING))
         problem = msgspec.structs.replace(_scene_in(file, grounding), name=name).within(tolerance)
         problem = with_pairs(problem, grounding.relations, sight_of_pairs(folder))
-        try:
+        with blaming(file):
             for item in problem.objects:  # only what a run saw may be a little off
                 check_on_table(item, grounding.table)
             problem = with_goals(problem, grounding)
-        except (InvalidValue, UnknownChoice) as error:
-            raise InvalidFile(file, str(error).rstrip(".")) from error
         check_scene(folder, problem, file)
         tell_remarks(folder, problem, grounding)
         put_problem(folder, problem, grounding)
@@ -295,10 +293,8 @@ def _scene_in(file: Path, grounding: Grounding) -> Problem:
 
     def changed(raw: dict[str, Any]) -> dict[str, Any]:
         raw = {"goals": {}} | raw if raw.get("conditions") else raw
-        try:
+        with blaming(file):
             points, said = conditions_in(raw.get("goals") or {})
-        except InvalidValue as error:
-            raise InvalidFile(file, str(error).rstrip(".")) from error
         lists = [raw.get(name, []) for name in ("relations", "conditions")] + [*points.values()]
         if not all(isinstance(one, list) for one in lists):
             return raw | {"goals": points}  # which is refused, with the field that is wrong

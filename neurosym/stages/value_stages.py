@@ -1,7 +1,7 @@
 """The stages of a domain of values: data of which there is no world, compiled, planned with and judged."""
 
 from collections.abc import Iterator, Mapping
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
@@ -12,7 +12,7 @@ import numpy as np
 from neurosym.data.axes import Axis, legal_name, misfit
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import is_explored
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, blaming
 from neurosym.files import digest, make_folder, read_json, read_text, remove, write_atomically, write_json
 from neurosym.operators import OperatorTable, names_of_features
 from neurosym.pddl.plan_reading import MOST_PLAN, read_words
@@ -82,7 +82,7 @@ def compile_values_stage(folder: DomainFolder, *, name: str | None = None) -> St
             table = given.table()
         else:
             table = OperatorTable.load(folder.require(layout.PRIMITIVES))
-        try:
+        with blaming(folder / layout.INTERACTIONS):
             domain = compile_values(
                 data,
                 table,
@@ -91,8 +91,6 @@ def compile_values_stage(folder: DomainFolder, *, name: str | None = None) -> St
                 action_symbols=given.action_symbols,
                 axes=fitting_axes(folder, data),
             )
-        except InvalidValue as error:
-            raise InvalidFile(folder / layout.INTERACTIONS, str(error).rstrip(".")) from error
         write_atomically(folder / layout.DOMAIN, value_page(domain).text())
         write_json(folder / layout.GROUNDING, domain)
         for scene in sorted((folder / layout.PROBLEMS).glob(f"*{layout.SCENE}")):
@@ -189,12 +187,8 @@ def value_problem_stage(
             problem = ValueProblem(FORMAT, name, given.things, given.goals, given.provenance)
         else:
             problem = drawn_problem(folder, domain, name, things, actions, seed, goals)
-        try:
+        with blaming(scene) if scene else nullcontext():
             _put(folder, problem, domain)
-        except (InvalidValue, UnknownChoice) as error:
-            if scene is None:
-                raise
-            raise InvalidFile(scene, str(error).rstrip(".")) from error
 
     learned = (layout.MODEL,) if (folder / layout.MODEL).exists() else ()
     inputs = (layout.GROUNDING, *learned, layout.INTERACTIONS)
@@ -281,10 +275,8 @@ def actions_of(task: ValueTask, plan_file: Path) -> tuple[Atom, ...]:
         InvalidFile: If an action, an operator or a thing is none of the problem.
     """
     actions = read_words(read_text(plan_file, MOST_PLAN), plan_file, known_words(task))
-    try:
+    with blaming(plan_file):
         check_actions(actions, task)
-    except UnknownChoice as error:
-        raise InvalidFile(plan_file, str(error).rstrip(".")) from error
     return actions
 
 

@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import as_path
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
+from neurosym.errors import InvalidValue, UnknownChoice, blaming
 from neurosym.files import read_json, write_json
 from neurosym.operators import Categorise, Length, Symbol, Versioned
 from neurosym.problems import check_names
@@ -66,10 +66,8 @@ class ValueProblem(Versioned, frozen=True, omit_defaults=True):
     def read(cls, path: Path, domain: ValueDomain) -> "ValueProblem":
         """Read a problem of a domain; `InvalidFile` if the file holds none."""
         problem = read_json(as_path(path), cls)
-        try:
+        with blaming(path):
             ValueTask(problem, domain)
-        except (InvalidValue, UnknownChoice) as error:
-            raise InvalidFile(path, str(error).rstrip(".")) from error
         return problem
 
 

@@ -19,7 +19,7 @@ import tomli_w
 from neurosym.choices import is_factory
 from neurosym.contract import ObjectLimits
 from neurosym.data.axes import Axis, as_tables, axes_in
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted, shortened
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, blaming, quoted, shortened
 from neurosym.files import LARGEST_WHOLE, read_toml
 from neurosym.world import World
 from neurosym.worlds.own_world import OwnFactory, describe_apart, make_own_world
@@ -93,10 +93,8 @@ def read_axes(path: Path) -> tuple[Axis, ...]:
     if not path.is_file():
         return ()
     _read(path)
-    try:
+    with blaming(path):
         return axes_in(read_toml(path).get("axes", []))
-    except InvalidValue as error:
-        raise InvalidFile(path, str(error).rstrip(".")) from error
 
 
 def read_stepper(path: Path) -> tuple[str, dict[str, Any]] | None:
@@ -150,15 +148,13 @@ def read_world(path: Path) -> "partial[World] | OwnFactory":
     if name == NONE or read_axes(path):
         said = f'it says world = "{name}", and names axes, so it is no world with a table and an arm'
         raise InvalidFile(path, said)
-    try:
+    with blaming(path):
         if is_factory(name):
             _check_finite(options)
             own = OwnFactory(name, options, path.parent)
             own()
             return own
         make_world(name, options)
-    except (UnknownChoice, InvalidValue) as error:
-        raise InvalidFile(path, str(error).rstrip(".")) from error
     return partial(make_world, name, options)
 
 
@@ -177,11 +173,9 @@ def read_limits(path: Path) -> ObjectLimits | None:
     name, options = _read(path)
     if is_factory(name) or name == NONE:
         return None
-    try:
+    with blaming(path):
         limits: ObjectLimits = _configured(name, options).object_limits
         return limits
-    except (UnknownChoice, InvalidValue) as error:
-        raise InvalidFile(path, str(error).rstrip(".")) from error
 
 
 def _read(path: Path) -> tuple[str, dict[str, Any]]:
