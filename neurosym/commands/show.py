@@ -24,7 +24,7 @@ from neurosym.errors import InvalidValue, counted, quoted
 from neurosym.files import check_writable, make_folder, write_atomically, write_json
 from neurosym.stages.console import progress_bar, say, say_next, show_table
 from neurosym.stages.folder import Claim, DomainFolder, rehearsal_options
-from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, PAGE, PICTURES, WORLD
+from neurosym.stages.layout import GROUNDING, INTERACTIONS, PAGE, PICTURES, WORLD
 
 if TYPE_CHECKING:
     from neurosym.evaluation.summary import Comparison
@@ -92,12 +92,11 @@ def show(
 
 def _show_symbols(domain: DomainFolder, world: "World", output: Path | None) -> None:
     from neurosym.grounding import Grounding
-    from neurosym.learning.network import EffectModel
     from neurosym.report.symbol_map import atlas_of
     from neurosym.report.symbol_sheet import symbol_sheet
 
     grounding = Grounding.load(domain.require(GROUNDING))
-    categorise = EffectModel.load(domain.require(MODEL)).object_symbols
+    categorise = domain.network().object_symbols
     path = _picture_path(domain, "symbols", output, "svg")
     write_atomically(path, symbol_sheet(atlas_of(world, categorise), grounding))
     say(f"wrote {path}")
@@ -133,7 +132,6 @@ def _learned(
 ) -> "Sequence[Motion]":
     """Return the motions of a primitive or an operator, on objects drawn as when it was rehearsed."""
     from neurosym.grounding import Grounding
-    from neurosym.learning.network import EffectModel
     from neurosym.pictures.motions import operator_motions, operators_of, pair_motion
     from neurosym.stages.problem_making import sight_of_pairs
 
@@ -142,7 +140,7 @@ def _learned(
     if by_name and by_name[0].frame == "pair":
         return [pair_motion(world, grounding, by_name[0], sight=sight_of_pairs(domain))]
     asked = by_name if primitive is None else operators_of(grounding, primitive)
-    categorise = EffectModel.load(domain.require(MODEL)).object_symbols
+    categorise = domain.network().object_symbols
     objects, seed = rehearsal_options(domain.manifest())
     return operator_motions(world, grounding, asked, categorise=categorise, objects=objects, seed=seed)
 

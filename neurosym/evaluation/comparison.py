@@ -24,7 +24,7 @@ from neurosym.planners.planner import PlanResult, PlanStatus, PredictEffects
 from neurosym.planners.registry import Replanner, plan, planner_named
 from neurosym.problems import Problem
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, MODEL, WORLD
+from neurosym.stages.layout import GROUNDING, WORLD
 from neurosym.stages.problem_making import draw_any_task, sight_of_pairs
 from neurosym.tasks.task import is_reached, is_relational, with_places
 from neurosym.tasks.transition import PlanStep, Steps, named_steps, primitives, validate
@@ -209,10 +209,7 @@ class Bench:
     """
 
     def __init__(self, folder: DomainFolder):
-        from neurosym.learning.network import EffectModel
-
-        grounding = Grounding.load(folder.require(GROUNDING))
-        model = EffectModel.load(folder.require(MODEL))
+        grounding, model = Grounding.load(folder.require(GROUNDING)), folder.network()
         symbols = grounding.objects.symbols
         self._sight = sight_of_pairs(folder)
         self.categorise: Callable[[Float[ndarray, "N F"]], tuple[Symbol, ...]] = model.object_symbols

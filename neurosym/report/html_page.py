@@ -203,10 +203,8 @@ class _Picture:
         return {"strip": strip, "source": source, "width": width, "height": height}
 
 
-def _draw_motion(what: str, model: Path, objects: int, seed: int, world: World, grounding: Grounding) -> Row:
-    from neurosym.learning.network import EffectModel
-
-    categorise = EffectModel.load(model).object_symbols
+def _draw_motion(what: str, path: Path, objects: int, seed: int, world: World, grounding: Grounding) -> Row:
+    categorise = DomainFolder(path).network().object_symbols
     return motion_stills(world, grounding, what, categorise, objects=objects, seed=seed)
 
 
@@ -227,7 +225,7 @@ def _wanted(
         pictured = sorted(symbols, key=lambda symbol: -uses[symbol])[:_PICTURED]
         names = [("primitive", symbol) for symbol in symbols if symbol in pictured]
         for kind, what in (*names, *(("operator", one.name) for one in surest_carriers(grounding))):
-            draw = partial(_draw_motion, what, folder / layout.MODEL, objects, seed)
+            draw = partial(_draw_motion, what, folder.path, objects, seed)
             options = {"objects": objects, "seed": seed}
             wanted[kind, what] = _Picture(
                 f"{kind}-{what}", (layout.WORLD, layout.GROUNDING, layout.MODEL), draw, options

@@ -49,6 +49,7 @@ from neurosym.files import (
 from neurosym.stages import layout
 
 if TYPE_CHECKING:
+    from neurosym.learning.network import EffectModel
     from neurosym.problems import Problem
 
 
@@ -169,6 +170,12 @@ class DomainFolder:
                 command, besides = f"{command} --world module:factory", " for the world of your data"
             raise StageMissing(path, command, besides)
         return path
+
+    def network(self) -> "EffectModel":
+        """Read the network whose bits are the symbols; what it needs takes seconds to import."""
+        from neurosym.learning.network import EffectModel
+
+        return EffectModel.load(self.require(layout.MODEL))
 
     def problem_names(self) -> tuple[str, ...]:
         """List the problems of this folder: scenes, and PDDL files whose scene is missing."""

@@ -73,10 +73,7 @@ def remarks_on_objects(folder: DomainFolder, problem: Problem, grounding: Ground
             yield f"{item.name} is unlike all that were rehearsed: it is promised what its category is"
     if not (folder / MODEL).is_file():
         return
-    from neurosym.learning.network import EffectModel  # importing torch takes seconds
-
-    model = EffectModel.load(folder / MODEL)
-    seen = symbols_of(model.object_symbols, np.array([item.features for item in problem.objects]))
+    seen = symbols_of(folder.network().object_symbols, np.array([item.features for item in problem.objects]))
     for item, symbol in zip(problem.objects, seen, strict=True):
         if item.category != symbol:
             yield f"{item.name} is said to be of category {item.category}; by its features it is of {symbol}"
@@ -215,8 +212,5 @@ def _refuse_namesake(folder: DomainFolder, stage: str, made_by: str, plan_file: 
 
 def _prediction(folder: DomainFolder, grounding: Grounding) -> PredictEffects:
     """Return what the network of a folder predicts each primitive to do."""
-    from neurosym.learning.network import EffectModel
-
-    symbols = grounding.objects.symbols
-    model = EffectModel.load(folder.require(MODEL))
+    symbols, model = grounding.objects.symbols, folder.network()
     return lambda features: model.branching_table(features, symbols)

@@ -125,7 +125,7 @@ def sight_of_pairs(folder: DomainFolder) -> PairSight | None:
     if not (folder / layout.PLACE_OPERATORS).exists():
         return PairSight(kinds, foresee, bearing)
     places = PlaceFile.load(folder / layout.PLACE_OPERATORS).table()
-    categorise = EffectModel.load(folder.require(layout.MODEL)).object_symbols
+    categorise = folder.network().object_symbols
 
     def chances(features: Float[np.ndarray, "N F"], actions: Float[np.ndarray, "N A"]) -> np.ndarray:
         """Foresee what comes of actions as these are performed with such targets; see `set_over`."""
@@ -229,11 +229,10 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
 
 def _made(folder: DomainFolder, name: str, asked: Asked, grounding: Grounding) -> Problem:
     """Draw a problem, or set it by hand, and check what it asks of relations."""
-    from neurosym.learning.network import EffectModel
     from neurosym.worlds.task_drawing import draw_problem, lying_turned, set_problem
 
     world = read_world(folder.require(layout.WORLD))()
-    categorise = EffectModel.load(folder.require(layout.MODEL)).object_symbols
+    categorise = folder.network().object_symbols
     sight = sight_of_pairs(folder)
     named: dict[str, Any] = {"name": name, "objects": asked.objects, "seed": asked.seed}
     if asked.task is not None:

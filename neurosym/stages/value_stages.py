@@ -136,12 +136,10 @@ def domain_of(folder: DomainFolder) -> ValueDomain:
 
 def symbols_of(folder: DomainFolder) -> "EffectModel | GivenSymbols":
     """Return what gives symbols in a folder: the network, or data that are such bits already."""
-    from neurosym.learning.network import EffectModel
-
     if not (folder / layout.MODEL).exists():
         with suppress(InvalidValue):
             return GivenSymbols(Interactions.load(folder.require(layout.INTERACTIONS)))
-    return EffectModel.load(folder.require(layout.MODEL))
+    return folder.network()
 
 
 def _put(folder: DomainFolder, problem: ValueProblem, domain: ValueDomain) -> None:
@@ -310,9 +308,7 @@ def plan_values_stage(
 
 def prediction_of(folder: DomainFolder) -> Predict:
     """Return what the network of a folder predicts through the symbols."""
-    from neurosym.learning.network import EffectModel
-
-    return EffectModel.load(folder.require(layout.MODEL)).predict_symbols
+    return folder.network().predict_symbols
 
 
 def _write_plan(folder: DomainFolder, task: ValueTask, planner: str, result: PlanResult) -> None:

@@ -17,7 +17,7 @@ from neurosym.operators import Symbol
 from neurosym.problems import Problem
 from neurosym.report.symbol_map import Atlas, atlas_of
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.layout import GROUNDING, INTERACTIONS, MODEL, RECORD, RUNS, WORLD
+from neurosym.stages.layout import GROUNDING, INTERACTIONS, RECORD, RUNS, WORLD
 from neurosym.stages.planning import load_problem
 from neurosym.stages.problem_making import sight_of_pairs
 from neurosym.studio.words import nameless
@@ -63,9 +63,7 @@ class Library:
     @cached_property
     def _model(self) -> "EffectModel | None":
         """The network that gives objects their bits."""
-        from neurosym.learning.network import EffectModel
-
-        return self._read(lambda: EffectModel.load(self.folder.require(MODEL)))
+        return self._read(self.folder.network)
 
     @cached_property
     def _sight_of_pairs(self) -> PairSight | None:
