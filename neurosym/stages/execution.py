@@ -100,20 +100,9 @@ def execute_stage(
         if impossible := hand_problem(steps, grounding):
             raise InvalidFile(plan_file, impossible)
         with shown_doing() as tell:
-
-            def perform(**watching: Any) -> Run:
-                return execute(
-                    world,
-                    problem,
-                    grounding,
-                    steps,
-                    replanner=None if replans == 0 else replanning(asked_again, time_limit, tell),
-                    replans=replans,
-                    nudge_seed=nudge_seed,
-                    tell=tell,
-                    **watching,
-                )
-
+            solve = None if replans == 0 else replanning(asked_again, time_limit, tell)
+            how: dict[str, Any] = {"replanner": solve, "replans": replans, "nudge_seed": nudge_seed}
+            perform = partial(execute, world, problem, grounding, steps, tell=tell, **how)
             run = _shown(showing, world, problem, perform)
         other = None if problem.tolerance == own.tolerance else problem.tolerance
         by = asked_again.name if run.own_steps < len(run.steps) else msgspec.UNSET
