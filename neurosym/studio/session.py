@@ -319,15 +319,8 @@ class Running:
     def perform(self, name: str, action: tuple[float, ...]) -> None:
         """Try an action on an object as it stands; how that ends is seen until the table is `reset`."""
         if problem := self.as_it_stands():
-            self._submit(
-                f"trying a motion on {name}",
-                self._session.problem,
-                work.perform,
-                problem,
-                name,
-                action,
-                left=self.here,
-            )
+            given = self._session.problem, work.perform, problem, name, action
+            self._submit(f"trying a motion on {name}", *given, left=self.here)
 
     def try_ten(self, name: str, operator: str) -> None:
         """Try an operator on an object `TRIES` times, each from a start a few millimetres beside the last."""
