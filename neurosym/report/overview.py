@@ -128,16 +128,9 @@ def matrix_of(table: OperatorTable, atlas: Atlas | None, palette: Palette, uses:
     rows = []
     for symbol in (one for one in table.symbols if one in shown):
         done = [(kind, surest.get((symbol, kind.symbol))) for kind in kinds]
-        room = (
-            [
-                effect_room(one.promise.outcome, items[kind.symbol], scale)
-                for kind, one in done
-                if one and one.promise
-            ]
-            if table.axes == AXES
-            else []
-        )
-        height = max(_LEAST, *room, 0)
+        drawn = [(one.promise, items[kind.symbol]) for kind, one in done if one and one.promise]
+        rooms = [effect_room(end.outcome, item, scale) for end, item in drawn if table.axes == AXES]
+        height = max(_LEAST, *rooms, 0)
         cells = [
             _cell(one, kind, items[kind.symbol], palette(kind.symbol), scale, height) for kind, one in done
         ]
