@@ -248,13 +248,9 @@ def _innermost(own: Bool[np.ndarray, "R C"], middles: Float[np.ndarray, "R C 2"]
     around = np.pad(own, 1)
     beside = around[:-2, 1:-1] | around[2:, 1:-1] | around[1:-1, :-2] | around[1:-1, 2:]
     inside, outside = middles[own], middles[beside & ~own]
-    edges = (
-        np.hstack([inside, 1 - inside])
-        if len(own) > 1
-        else np.stack([inside[:, 0], 1 - inside[:, 0]], axis=1)
-    )
-    room = edges.min(1)
+    across = inside if len(own) > 1 else inside[:, :1]  # a single row of cells has no edge above and below
+    room = np.hstack([across, 1 - across]).min(1)
     if len(outside):
         room = np.minimum(room, np.linalg.norm(inside[:, None] - outside, axis=2).min(1))
-    across, up = inside[np.argmax(room)].tolist()
-    return across, up
+    x, y = inside[np.argmax(room)].tolist()
+    return x, y
