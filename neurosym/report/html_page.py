@@ -208,10 +208,6 @@ def _draw_motion(what: str, path: Path, objects: int, seed: int, world: World, g
     return motion_stills(world, grounding, what, categorise, objects=objects, seed=seed)
 
 
-def _draw_run(example: _Example, world: World, grounding: Grounding) -> Row:
-    return run_stills(world, grounding, example.problem, example.run)
-
-
 def _wanted(
     folder: DomainFolder, grounding: Grounding | None, examples: Sequence[_Example]
 ) -> dict[tuple[str, str], _Picture]:
@@ -237,7 +233,7 @@ def _wanted(
             layout.scene_file(example.problem.name),
             f"{layout.RUNS}/{example.name}{layout.RECORD}",
         )
-        draw_run = partial(_draw_run, example)
+        draw_run = partial(run_stills, problem=example.problem, run=example.run)
         wanted["run", example.name] = _Picture(f"run-{example.name}", inputs, draw_run, {})
     return wanted
 
