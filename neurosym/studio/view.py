@@ -90,12 +90,12 @@ class Overlays:
         nodes = self.clear("arrows")
         for lifts, radius in ((False, _THIN), (True, _THICK)):
             own = [one for one in promises if one.lifts == lifts]
-            points = [(start, np.add(start, one.effect)) for one in own]
+            points = np.array([(start, np.add(start, one.effect)) for one in own])
             colours = [
                 np.add(np.multiply(one.chance, _INK), np.multiply(1 - one.chance, _PALE)) for one in own
             ]
             if own:
-                nodes.append(self._arrows(f"/arrows/{lifts}", np.array(points), np.array(colours), radius))
+                nodes.append(_arrows(self._scene, f"/arrows/{lifts}", points, np.array(colours), radius))
         for number, one in enumerate(promises, start=1):
             spot = tuple(np.add(start, one.effect))
             nodes.append(self._label(f"/arrow-labels/{number}", str(number), spot))
@@ -114,7 +114,7 @@ class Overlays:
         nodes = self.clear("effect")
         if np.linalg.norm(effect) > _LEAST:
             points = np.array([[start, np.add(start, effect)]])
-            nodes.append(self._arrows("/effect", points, np.array([_INK]), _THICK))
+            nodes.append(_arrows(self._scene, "/effect", points, np.array([_INK]), _THICK))
         spot = (start[0] + _BEFORE, start[1], 0.0)
         nodes.append(self._label("/effect-label", said, spot, 1.0, "top-center"))
 
@@ -159,11 +159,12 @@ class Overlays:
     def _label(self, name: str, text: str, spot: Any, size: float = 0.8, anchor: Any = "top-left") -> Any:
         return self._scene.add_label(name, text, position=spot, font_screen_scale=size, anchor=anchor)
 
-    def _arrows(self, name: str, points: np.ndarray, colours: np.ndarray, radius: float) -> Any:
-        wide, long = 3 * radius, 0.012 + 2 * radius
-        return self._scene.add_arrows(
-            name, points, colours.astype(np.uint8), shaft_radius=radius, head_radius=wide, head_length=long
-        )
+
+def _arrows(scene: viser.SceneApi, name: str, points: np.ndarray, colours: np.ndarray, radius: float) -> Any:
+    wide, long = 3 * radius, 0.012 + 2 * radius
+    return scene.add_arrows(
+        name, points, colours.astype(np.uint8), shaft_radius=radius, head_radius=wide, head_length=long
+    )
 
 
 def box_edges(size: _Numbers) -> Float[np.ndarray, "12 2 3"]:
@@ -262,14 +263,7 @@ class View:
         self._scene.add_line_segments("/border", lines, _BORDER, thickness=0.005, position=(*middle, 0.0))
         corner = np.add((*middle, _FLAT), (x / 2 + _COMPASS[0], y / 2 + _COMPASS[1], 0.0))
         ends = np.stack([(corner, corner + _COMPASS[2] * way) for way in np.eye(3)[:2]])
-        self._scene.add_arrows(
-            "/compass",
-            ends,
-            np.full((2, 3), _INK, np.uint8),
-            shaft_radius=_THICK,
-            head_radius=3 * _THICK,
-            head_length=0.02,
-        )
+        _arrows(self._scene, "/compass", ends, np.full((2, 3), _INK), _THICK)
         for word, (_, tip) in zip(("forward", "left"), ends, strict=True):
             self._scene.add_label(f"/compass/{word}", word, position=tuple(tip), font_screen_scale=0.8)
 
