@@ -61,9 +61,7 @@ def legend(palette: Palette, names: Mapping[Symbol, str], shares: Mapping[Symbol
     return f'<ul class="legend">{"".join(lines)}</ul>'
 
 
-def map_drawing(
-    shown: SymbolMap, palette: Palette, *, item: Sequence[float] = (), title: str = "", name: str = "map"
-) -> str:
+def map_drawing(shown: SymbolMap, palette: Palette, *, title: str = "", name: str = "map") -> str:
     """Draw a map of codes, each area in the colour of its category.
 
     The attribute `data-map` tells a script how to read a place: for each axis, the number of its feature, its
@@ -72,7 +70,6 @@ def map_drawing(
     Args:
         shown: The map.
         palette: The colours.
-        item: Features of an object to mark by a dot; it has the class `item`.
         title: What it is a map of, for those who do not see it.
         name: Its id in the page.
     """
@@ -107,16 +104,6 @@ def map_drawing(
             f'fill="{ink_on(palette(symbol))}">{escape(symbol)}</text>'
         )
     parts += _axes(shown.axes, left, top, right, bottom)
-    if len(item):
-        shares = [
-            (item[n] - axis.low) / (axis.high - axis.low)
-            for n, axis in zip(shown.numbers, shown.axes, strict=True)
-        ]
-        x, y = placed(np.clip([*shares, 0.5][:2], 0, 1))
-        parts.append(
-            f'<circle class="item" cx="{x:.1f}" cy="{y:.1f}" r="6.5" fill="#fff" stroke="#000" '
-            'stroke-width="3"/>'
-        )
     return (
         f'<svg class="map" id="{escape(name)}" viewBox="0 0 {width} {height:.0f}" role="img" '
         f'aria-labelledby="{escape(name)}-title" data-map="{escape(json.dumps(scale))}">'
