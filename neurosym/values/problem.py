@@ -241,12 +241,7 @@ class ValueTask:
         """Return the chance that all steps go as promised."""
         return prod(self.domain.operator_named(step.operator).chance for step in steps)
 
-    def begun_from(self, things: Mapping[str, tuple[Sequence[float], Mapping[str, float]]]) -> "ValueTask":
-        """Return the task from where things are now: features, and what none shows."""
-        now = tuple(
-            msgspec.structs.replace(
-                one, features=tuple(things[one.name][0]), values=dict(things[one.name][1])
-            )
-            for one in self.problem.things
-        )
+    def begun_from(self, changed: Thing) -> "ValueTask":
+        """Return the task from where a thing is now: its features, and what none shows."""
+        now = tuple(changed if one.name == changed.name else one for one in self.problem.things)
         return ValueTask(msgspec.structs.replace(self.problem, things=now), self.domain)

@@ -10,7 +10,7 @@ from neurosym.checks import Float
 from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.planners.planner import PlanResult
 from neurosym.tasks.transition import PlanStep
-from neurosym.values.problem import Thing, ValueTask
+from neurosym.values.problem import ValueTask
 
 FORMAT = "neurosym-value-run-1"
 LEARNED = 5
@@ -116,8 +116,5 @@ def _performed(task: ValueTask, step: PlanStep, perform: Perform) -> tuple[Value
         happened.append(round(came, 6))
         is_near = is_near and abs(axis.apart(came, led)) <= max(axis.tolerance or 0.0, cells.size / 2)
     told = ValueStep(operator.name, thing.name, tuple(promised), tuple(happened), is_near)
-    return told, task.begun_from({**_now(task.problem.things), thing.name: (features, values)})
-
-
-def _now(things: Sequence[Thing]) -> dict[str, tuple[Sequence[float], Mapping[str, float]]]:
-    return {one.name: (one.features, one.values) for one in things}
+    changed = msgspec.structs.replace(thing, features=tuple(features), values=values)
+    return told, task.begun_from(changed)
