@@ -5,7 +5,7 @@ category of a thing changes with them, and each state of a thing has its own.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 
 import numpy as np
@@ -97,6 +97,11 @@ class ValueDomain(Versioned, frozen=True, omit_defaults=True):
     def shown_cells(self) -> tuple[Cells, ...]:
         """The cells of the axes that features show, which a state of a thing is made of."""
         return tuple(cells for cells, by in zip(self.cells, self.shown, strict=True) if by is not None)
+
+    def values_of(self, features: Sequence[float], hidden: Mapping[str, float]) -> list[float]:
+        """Return what a thing is along the axes: by its features where these show it, else as said, or 0."""
+        shown = zip(self.axes, self.shown, strict=True)
+        return [hidden.get(axis.name, 0.0) if by is None else features[by] for axis, by in shown]
 
     def in_words(self, operator: ValueOperator) -> str:
         """Say what an operator does in units of the data, like `temperature +1.98 C, window becomes yes`."""

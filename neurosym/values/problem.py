@@ -148,11 +148,8 @@ class ValueTask:
 
     def at(self, features: Sequence[float], values: Mapping[str, float]) -> Cell:
         """Return the cells of a thing; `InvalidValue` if it is out of bounds."""
-        shown = zip(self.domain.cells, self.domain.shown, strict=True)
-        return tuple(
-            cells.index(values.get(cells.axis.name, 0.0) if by is None else features[by])
-            for cells, by in shown
-        )
+        along = zip(self.domain.cells, self.domain.values_of(features, values), strict=True)
+        return tuple(cells.index(value) for cells, value in along)
 
     @cached_property
     def goals(self) -> Mapping[tuple[str, str], tuple[int, ...]]:
@@ -209,14 +206,8 @@ class ValueTask:
 
     def values(self, steps: Sequence[PlanStep] = ()) -> dict[str, list[float]]:
         """Follow a plan by mean changes, and not by cells, to where each thing comes to on each axis."""
-        shown, domain = self.domain.shown, self.domain
-        values = {
-            thing.name: [
-                thing.values.get(axis.name, 0.0) if by is None else thing.features[by]
-                for axis, by in zip(domain.axes, shown, strict=True)
-            ]
-            for thing in self.problem.things
-        }
+        domain = self.domain
+        values = {one.name: domain.values_of(one.features, one.values) for one in self.problem.things}
         for step in steps:
             outcome = domain.operator_named(step.operator).outcome
             values[step.object] = [

@@ -106,15 +106,13 @@ def _performed(task: ValueTask, step: PlanStep, perform: Perform) -> tuple[Value
     features = after[: len(thing.features)]
     values = dict(zip(hidden, after[len(thing.features) :], strict=True))
     promised, happened, is_near = list[float](), list[float](), True
-    for axis, by, one, cells in zip(
-        domain.axes, domain.shown, operator.outcome.steps, domain.cells, strict=True
-    ):
-        before = thing.values.get(axis.name, 0.0) if by is None else thing.features[by]
+    ends = domain.values_of(thing.features, thing.values), domain.values_of(features, values)
+    for one, cells, before, came in zip(operator.outcome.steps, domain.cells, *ends, strict=True):
         led = cells.centre(one.to) if one.to is not None else before + one.by * cells.size
-        came = values[axis.name] if by is None else features[by]
-        promised.append(round(came + axis.apart(led, came), 6))
+        promised.append(round(came + cells.axis.apart(led, came), 6))
         happened.append(round(came, 6))
-        is_near = is_near and abs(axis.apart(came, led)) <= max(axis.tolerance or 0.0, cells.size / 2)
+        near = max(cells.axis.tolerance or 0.0, cells.size / 2)
+        is_near = is_near and abs(cells.axis.apart(came, led)) <= near
     told = ValueStep(operator.name, thing.name, tuple(promised), tuple(happened), is_near)
     changed = msgspec.structs.replace(thing, features=tuple(features), values=values)
     return told, task.begun_from(changed)
