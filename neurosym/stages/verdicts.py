@@ -167,16 +167,12 @@ def judge_values(domain: ValueDomain) -> Verdict:
     }
     if still := [axis.name for axis in domain.axes if axis.name not in moved]:
         sentence += f"; none of these changes {listed_briefly(still)}"
+    if len(sure) >= MOST * len(best) and sure and not still:
+        return Verdict("good", sentence)
     remedy = "what has one symbol ends differently; use more bits, or bring more interactions"
     if len(sure) >= MOST * len(best):
         remedy = "what nothing changes needs no axis; leave it out of `after`"
-    if not sure or len(sure) < FEW * len(best):
-        return Verdict("useless", sentence, remedy)
-    return (
-        Verdict("good", sentence)
-        if len(sure) >= MOST * len(best) and not still
-        else Verdict("weak", sentence, remedy)
-    )
+    return Verdict("weak" if sure and len(sure) >= FEW * len(best) else "useless", sentence, remedy)
 
 
 def judge_domain(grounding: Grounding) -> Verdict:
