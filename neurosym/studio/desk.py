@@ -67,7 +67,7 @@ class Desk:
 
     def __init__(self, library: Library, problem: Problem | None = None):
         self.library = library
-        self.problem = problem or library.first_problem()  # None while there is no object
+        self.problem = problem or library.first_problem  # None while there is no object
         self.word = Word()  # what was said last
         self._complaints: tuple[Problem | None, Mapping[str, str]] = (None, {})
         self._paired: tuple[dict[str, tuple[float, ...]], Problem] | None = None

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -51,10 +51,10 @@ class Library:
         self.world: World = read_world(folder.require(WORLD))()  # which simulates nothing here
         self.grounding = Grounding.load(folder.require(GROUNDING))
 
-    def _read(self, read: Callable[[], _T]) -> _T | None:
+    def _read(self, read: Callable[..., _T], *given: Any) -> _T | None:
         """Read something; if that fails, remember why."""
         try:
-            return read()
+            return read(*given)
         except NeurosymError as error:
             if (said := nameless(harmless(str(error)), self.folder.path)) not in self.damage:
                 self.damage.append(said)
@@ -68,13 +68,13 @@ class Library:
     @cached_property
     def _sight_of_pairs(self) -> PairSight | None:
         """What networks say of pairs of objects."""
-        return self._read(lambda: sight_of_pairs(self.folder))
+        return self._read(sight_of_pairs, self.folder)
 
     @cached_property
     def interactions(self) -> Interactions | None:
         """What was explored; None if it cannot be read, and `damage` says why if there is a file."""
         path = self.folder / INTERACTIONS
-        return self._read(lambda: Interactions.load(path)) if path.is_file() else None
+        return self._read(Interactions.load, path) if path.is_file() else None
 
     @cached_property
     def atlas(self) -> Atlas:
@@ -128,18 +128,14 @@ class Library:
         """
         return load_problem(self.folder, name, self.world)
 
+    @cached_property
     def first_problem(self) -> Problem | None:
-        """Return the problem to begin with, if there is one that can be read.
+        """The problem to begin with, if there is one that can be read.
 
         Where relations are known it asks for a tower. It has about three objects, and one that was run with
         success in about two steps is best.
         """
-        return self._first
-
-    @cached_property
-    def _first(self) -> Problem | None:
-        names = self.folder.problem_names()
-        found = [self._read(lambda name=name: self.load_problem(name)) for name in names]  # type: ignore[misc]
+        found = [self._read(self.load_problem, name) for name in self.folder.problem_names()]
         return min(filter(None, found), key=self._strangeness, default=None)
 
     def _strangeness(self, problem: Problem) -> tuple[bool, bool, int, int]:
@@ -147,7 +143,7 @@ class Library:
         related = problem.relations if self.grounding.relations else ()
         is_tower = bool({target for target, *_ in related} & {on for _, on, _ in related})
         paths = (self.folder / RUNS).glob(f"{problem.name}.*{RECORD}")
-        runs = (self._read(lambda path=path: read_json(path, Run)) for path in paths)  # type: ignore[misc]
+        runs = (self._read(read_json, path, Run) for path in paths)
         steps = [abs(len(run.steps) - 2) for run in runs if run and run.reached]
         return not is_tower, not related, abs(len(problem.objects) - 3), min(steps, default=99)
 

@@ -145,7 +145,7 @@ def test_each_card_does_what_it_says_and_can_be_stopped(tour):
 
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
 def test_page_begins_with_a_tower_where_relations_are_known_and_a_card_asks_for_another(both):
-    assert len(LIBRARY.first_problem().objects) == 3
+    assert len(LIBRARY.first_problem.objects) == 3
     with shown(shipped_library(SHIPPED.with_name("towers")), both) as panels:
         tour, session = panels[TourPanel], panels[TourPanel].session
         (top, middle, _), (below, *_) = session.problem.relations

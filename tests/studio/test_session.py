@@ -410,7 +410,7 @@ def one_worker():
 
 
 def test_line_shows_places_and_gives_up_what_is_stopped(library, room, one_worker):
-    said, given = [[] for _ in range(3)], (library.first_problem(), "counting", False)
+    said, given = [[] for _ in range(3)], (library.first_problem, "counting", False)
     tickets = [one_worker.submit(heard.append, plan, room, *given) for heard in said]
     assert [ticket.place for ticket in tickets] == [0, 1, 2]
     tickets[1].stop()
