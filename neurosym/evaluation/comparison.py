@@ -43,38 +43,24 @@ class Setting:
 
 
 class Attempt(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One planner on one task.
+    """One planner on one task."""
 
-    Attributes:
-        status: How its search ended.
-        reason: Why there is no plan, or what is to be said about the one found.
-        steps: Operator and object of each step.
-        seconds: How long it took [s].
-        primitives: How many steps are primitives, and no put-downs.
-        invalid: What the replay with the operators' promises finds: nothing, a step that is impossible, or an
-            end elsewhere than at the goal.
-        replayed: The same in a sentence.
-        promised_miss: How far from its goal the worst object ends by the operators [m]; None if impossible.
-        predicted_miss: The same by the network.
-        left_out: Whether the plan uses an operator that the PDDL domain leaves out.
-        depth: How many primitives were looked ahead, by a search that ended there.
-        open_loop: What became of the plan followed blindly; None without one.
-        replanned: What became of it with replanning; None without one.
-    """
-
-    status: PlanStatus
-    reason: str
-    steps: Steps = ()
-    seconds: float = 0.0
-    primitives: int = 0
+    status: PlanStatus  # how its search ended
+    reason: str  # why there is no plan, or what is to be said about the one found
+    steps: Steps = ()  # operator and object of each step
+    seconds: float = 0.0  # how long it took [s]
+    primitives: int = 0  # how many steps are primitives, and no put-downs
+    # what the replay with the operators' promises finds: nothing, a step that is impossible, or an end
+    # elsewhere than at the goal
     invalid: Literal["", "impossible", "elsewhere"] = ""
-    replayed: str = ""
+    replayed: str = ""  # the same in a sentence
+    # how far from its goal the worst object ends by the operators [m]; None if impossible
     promised_miss: float | None = None
-    predicted_miss: float | None = None
-    left_out: bool = False
-    depth: int | None = None
-    open_loop: Execution | None = None
-    replanned: Execution | None = None
+    predicted_miss: float | None = None  # the same by the network
+    left_out: bool = False  # whether the plan uses an operator that the PDDL domain leaves out
+    depth: int | None = None  # how many primitives were looked ahead, by a search that ended there
+    open_loop: Execution | None = None  # what became of the plan followed blindly; None without one
+    replanned: Execution | None = None  # what became of it with replanning; None without one
 
     @property
     def found(self) -> bool:

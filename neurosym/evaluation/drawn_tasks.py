@@ -33,23 +33,14 @@ class _Kept(msgspec.Struct, Generic[_Asked], frozen=True, forbid_unknown_fields=
 
 
 class Order(msgspec.Struct, frozen=True):
-    """Which tasks to compare which planners on.
+    """Which tasks to compare which planners on."""
 
-    Attributes:
-        folder: The domain folder.
-        objects: Objects in each task.
-        planners: Whom to compare.
-        tolerance: How near each object must come to its goal [m]; None with data of a user's own.
-        time_limit: The user's ceiling for each planner [s]; its own if not given.
-        task: What the tasks ask for; as the paper draws them, if not given.
-    """
-
-    folder: Path
-    objects: int
-    planners: tuple[str, ...]
-    tolerance: float | None
-    time_limit: float | None = None
-    task: AnyTask | None = None
+    folder: Path  # the domain folder
+    objects: int  # objects in each task
+    planners: tuple[str, ...]  # whom to compare
+    tolerance: float | None  # how near each object must come to its goal [m]; None with data of a user's own
+    time_limit: float | None = None  # the user's ceiling for each planner [s]; its own if not given
+    task: AnyTask | None = None  # what the tasks ask for; as the paper draws them, if not given
 
     @property
     def _kind(self) -> Any:

@@ -17,57 +17,32 @@ from neurosym.stages.layout import COMPARISONS
 
 
 class Tally(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """How one planner did.
+    """How one planner did."""
 
-    Attributes:
-        found: In how many tasks it found a plan.
-        valid: In how many one that the operators promise to reach the goal.
-        reached: In how many the plan reached the goal, followed blindly.
-        reached_with_replanning: In how many the goal was reached with replanning.
-        steps: Mean number of primitives of its plans; None without any.
-        seconds: Median time of planning [s]; None without any.
-        predicted: In how many the network, too, predicts the plan to reach the goal.
-        replans: How often it was planned again, in all.
-        performed: How many primitives were performed with replanning, in all; 0 in earlier versions.
-        own: How many of them were those of its plans, and of no new one.
-        unfound: Why there was no plan where another planner found one, with counts.
-        invalid: Why plans were not valid, with counts.
-        missed: Why plans followed blindly missed the goal, with counts.
-        missed_with_replanning: Why the goal was missed in spite of replanning, with counts.
-    """
-
-    found: int
-    valid: int
-    reached: int
-    reached_with_replanning: int
-    steps: float | None
-    seconds: float | None
-    predicted: int
-    replans: int
-    unfound: dict[str, int]
-    invalid: dict[str, int]
-    missed: dict[str, int]
-    missed_with_replanning: dict[str, int]
-    performed: int = 0
-    own: int = 0
+    found: int  # in how many tasks it found a plan
+    valid: int  # in how many one that the operators promise to reach the goal
+    reached: int  # in how many the plan reached the goal, followed blindly
+    reached_with_replanning: int  # in how many the goal was reached with replanning
+    steps: float | None  # mean number of primitives of its plans; None without any
+    seconds: float | None  # median time of planning [s]; None without any
+    predicted: int  # in how many the network, too, predicts the plan to reach the goal
+    replans: int  # how often it was planned again, in all
+    unfound: dict[str, int]  # why there was no plan where another planner found one, with counts
+    invalid: dict[str, int]  # why plans were not valid, with counts
+    missed: dict[str, int]  # why plans followed blindly missed the goal, with counts
+    missed_with_replanning: dict[str, int]  # why the goal was missed in spite of replanning, with counts
+    performed: int = 0  # how many primitives were performed with replanning, in all; 0 in earlier versions
+    own: int = 0  # how many of them were those of its plans, and of no new one
 
 
 class Comparison(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What planners made of the same tasks.
+    """What planners made of the same tasks."""
 
-    Attributes:
-        tasks: How many tasks were drawn.
-        met_at_start: How many of them need no step; they are left out of everything else.
-        solved_by_none: How many no planner has a plan for.
-        planners: How each planner did.
-        executed: Whether there was a world in which plans could be followed.
-    """
-
-    tasks: int
-    met_at_start: int
-    solved_by_none: int
-    planners: dict[str, Tally]
-    executed: bool = True
+    tasks: int  # how many tasks were drawn
+    met_at_start: int  # how many of them need no step; they are left out of everything else
+    solved_by_none: int  # how many no planner has a plan for
+    planners: dict[str, Tally]  # how each planner did
+    executed: bool = True  # whether there was a world in which plans could be followed
 
     @property
     def counted(self) -> int:
