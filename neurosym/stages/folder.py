@@ -54,21 +54,13 @@ if TYPE_CHECKING:
 
 
 class StageRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """How the files of one stage came about.
+    """How the files of one stage came about."""
 
-    Attributes:
-        options: What the stage was asked for.
-        inputs: SHA-256 of each file it read, by name.
-        outputs: SHA-256 of each file it wrote, by name.
-        seconds: How long it took, in the last session that worked on it [s].
-        versions: Versions of Python and of the packages that decide the outcome.
-    """
-
-    options: dict[str, Any]
-    inputs: dict[str, str]
-    outputs: dict[str, str]
-    seconds: float
-    versions: dict[str, str]
+    options: dict[str, Any]  # what the stage was asked for
+    inputs: dict[str, str]  # SHA-256 of each file it read, by name
+    outputs: dict[str, str]  # SHA-256 of each file it wrote, by name
+    seconds: float  # how long it took, in the last session that worked on it [s]
+    versions: dict[str, str]  # versions of Python and of the packages that decide the outcome
 
 
 class Manifest(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -90,24 +82,15 @@ class Claim(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Stage:
-    """One step of the way: what it reads, what it writes, and the work itself.
+    """One step of the way: what it reads, what it writes, and the work itself."""
 
-    Attributes:
-        name: The command's name, with the problem's where there is one.
-        inputs: Files it reads, relative to the folder.
-        outputs: Files it writes, relative to the folder.
-        work: Does the work.
-        options: What decides the outcome beside the inputs.
-        claim: How it has the folder meanwhile.
-        renews: Files of other stages that it may write anew; they still count as made by those.
-    """
-
-    name: str
-    inputs: tuple[str, ...]
-    outputs: tuple[str, ...]
-    work: Callable[[], None]
-    options: dict[str, Any] = field(default_factory=dict)
-    claim: Claim = Claim.SHARED
+    name: str  # the command's name, with the problem's where there is one
+    inputs: tuple[str, ...]  # files it reads, relative to the folder
+    outputs: tuple[str, ...]  # files it writes, relative to the folder
+    work: Callable[[], None]  # does the work
+    options: dict[str, Any] = field(default_factory=dict)  # what decides the outcome beside the inputs
+    claim: Claim = Claim.SHARED  # how it has the folder meanwhile
+    # files of other stages that it may write anew; they still count as made by those
     renews: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:

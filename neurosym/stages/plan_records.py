@@ -33,40 +33,26 @@ MORE_MOTIONS = 2
 
 
 class PlanRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defaults=True):
-    """How planning went.
+    """How planning went."""
 
-    Attributes:
-        problem: Name of the problem.
-        planner: Name of the planner.
-        status: How the search ended.
-        steps: Operator and object of each step; empty unless solved or nearest.
-        seconds: How long it took [s].
-        reason: Why there is no plan, or what is to be said about the one found.
-        chance: The chance that all steps go as promised; None without a plan.
-        alternatives: The next-best plans, in files of earlier versions; no longer looked at.
-        tolerance: How near objects had to come [m]; None if it was the problem's own tolerance.
-        chance_replanned: The chance that the goal is reached with at most `MORE_MOTIONS` motions more than
-            primitives, planned anew on the way; None without a plan, and if the plan is known to miss.
-        misses: Where the plan goes wrong by what was rehearsed; empty if it leads to the goal.
-        encoding: The encoding that the plan is printed for; earlier versions had others.
-        unprinted: Why the steps are no plan of the printed domain and problem; empty if they are one.
-        digest: SHA-256 of the file with the steps; empty if there is none, and in earlier versions.
-    """
-
-    problem: str
-    planner: str
-    status: PlanStatus
-    steps: Steps
-    seconds: float
-    reason: str
-    chance: float | None = None
+    problem: str  # name of the problem
+    planner: str  # name of the planner
+    status: PlanStatus  # how the search ended
+    steps: Steps  # operator and object of each step; empty unless solved or nearest
+    seconds: float  # how long it took [s]
+    reason: str  # why there is no plan, or what is to be said about the one found
+    chance: float | None = None  # the chance that all steps go as promised; None without a plan
+    # the next-best plans, in files of earlier versions; no longer looked at
     alternatives: tuple[dict[str, Any], ...] = ()
+    # how near objects had to come [m]; None if it was the problem's own tolerance
     tolerance: float | None = None
+    # the chance that the goal is reached with at most `MORE_MOTIONS` motions more than primitives, planned
+    # anew on the way; None without a plan, and if the plan is known to miss
     chance_replanned: float | None = None
-    misses: str = ""
-    encoding: str = STRIPS
-    unprinted: str = ""
-    digest: str = ""
+    misses: str = ""  # where the plan goes wrong by what was rehearsed; empty if it leads to the goal
+    encoding: str = STRIPS  # the encoding that the plan is printed for; earlier versions had others
+    unprinted: str = ""  # why the steps are no plan of the printed domain and problem; empty if they are one
+    digest: str = ""  # SHA-256 of the file with the steps; empty if there is none, and in earlier versions
 
     @property
     def solved(self) -> bool:

@@ -164,34 +164,22 @@ def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = No
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What a problem shall be: drawn as the paper draws tasks, unless there is more than `objects`.
+    """What a problem shall be: drawn as the paper draws tasks, unless there is more than `objects`."""
 
-    Attributes:
-        objects: How many objects there are.
-        actions: How many random actions lead to the goal.
-        seed: Same seed, same problem.
-        goals: Goals by hand [m], by object.
-        tolerance: How near objects must come to their goals [m]; scene and goals do not depend on it.
-        task: A kind of task.
-        relations: Goals by relation.
-        height: How many objects a tower or a stack has.
-        state: The state that a drawn task of relations asks for; any, if not given.
-        conditions: What shall hold, in words; goals and relations by hand are such, too, then.
-        turned: Whether objects lie turned by any angle, and not straight.
-        like: The features of objects in a scene that the conditions were taken from, by name.
-    """
-
-    objects: int = 1
-    actions: int = 1
-    seed: int = 0
-    goals: Mapping[str, tuple[float, ...]] | None = None
+    objects: int = 1  # how many objects there are
+    actions: int = 1  # how many random actions lead to the goal
+    seed: int = 0  # same seed, same problem
+    goals: Mapping[str, tuple[float, ...]] | None = None  # goals by hand [m], by object
+    # how near objects must come to their goals [m]; scene and goals do not depend on it
     tolerance: float | None = None
-    task: AnyTask | None = None
-    relations: tuple[RelationGoal, ...] = ()
-    height: int = HEIGHT
-    state: str = ""
+    task: AnyTask | None = None  # a kind of task
+    relations: tuple[RelationGoal, ...] = ()  # goals by relation
+    height: int = HEIGHT  # how many objects a tower or a stack has
+    state: str = ""  # the state that a drawn task of relations asks for; any, if not given
+    # what shall hold, in words; goals and relations by hand are such, too, then
     conditions: tuple[str, ...] = ()
-    turned: bool = False
+    turned: bool = False  # whether objects lie turned by any angle, and not straight
+    # the features of objects in a scene that the conditions were taken from, by name
     like: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
 
     def options(self) -> dict[str, Any]:

@@ -63,19 +63,12 @@ Count = Annotated[int, msgspec.Meta(ge=0)]
 
 
 class Spent(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What one aim had of a round.
+    """What one aim had of a round."""
 
-    Attributes:
-        explored: Interactions explored so far.
-        performed: Interactions performed so far to choose and measure operators.
-        budget: How many these might be.
-        symbols: From how many explored ones the symbols were learned.
-    """
-
-    explored: Count
-    performed: Count
-    budget: Count
-    symbols: Count = 0
+    explored: Count  # interactions explored so far
+    performed: Count  # interactions performed so far to choose and measure operators
+    budget: Count  # how many these might be
+    symbols: Count = 0  # from how many explored ones the symbols were learned
 
 
 class Budget(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -195,25 +188,15 @@ _BEGAN = "began.json"
 
 @dataclass(frozen=True, slots=True)
 class Recipe:
-    """How every round explores, learns and rehearses.
+    """How every round explores, learns and rehearses."""
 
-    Attributes:
-        strategy: How actions are chosen that explore.
-        regime: Networks and training.
-        choice: Which candidate stands for a symbol.
-        objects: How many objects each symbol is rehearsed on.
-        seed: Where all draws start.
-        workers: How many processes; their number does not change what is learned.
-        bits: Of the symbols of objects and actions, where they are said.
-    """
-
-    strategy: StrategyName
-    regime: str
-    choice: str
-    objects: int
-    seed: int
-    workers: int
-    bits: Mapping[str, int | None]
+    strategy: StrategyName  # how actions are chosen that explore
+    regime: str  # networks and training
+    choice: str  # which candidate stands for a symbol
+    objects: int  # how many objects each symbol is rehearsed on
+    seed: int  # where all draws start
+    workers: int  # how many processes; their number does not change what is learned
+    bits: Mapping[str, int | None]  # of the symbols of objects and actions, where they are said
 
     def learn(self, folder: DomainFolder, aim: Aim, share: Share, before: Spent | None) -> Spent:
         """Explore, train and distil for an aim, as far as its share of a round goes.

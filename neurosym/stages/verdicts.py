@@ -56,17 +56,11 @@ _MODEL = "model"  # what the errors of the trained model are called among those 
 
 
 class Verdict(msgspec.Struct, frozen=True):
-    """A judgement.
+    """A judgement."""
 
-    Attributes:
-        level: Good, weak or useless; or unproven, if the figures are too few to tell.
-        sentence: What it is judged by.
-        remedy: The likeliest reason, and what may help; empty if it is good.
-    """
-
-    level: _Level
-    sentence: str
-    remedy: str = ""
+    level: _Level  # good, weak or useless; or unproven, if the figures are too few to tell
+    sentence: str  # what it is judged by
+    remedy: str = ""  # the likeliest reason, and what may help; empty if it is good
 
     @property
     def lines(self) -> tuple[str, ...]:
@@ -248,17 +242,11 @@ def _told(promises: Collection[Mode]) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Tries:
-    """What became of tasks.
+    """What became of tasks."""
 
-    Attributes:
-        reached: In how many the goal was reached.
-        found: How many had a plan.
-        of: How many there were.
-    """
-
-    reached: int
-    found: int
-    of: int
+    reached: int  # in how many the goal was reached
+    found: int  # how many had a plan
+    of: int  # how many there were
 
 
 def judge_tries(tries: Mapping[str, Tries], *, how: str = "", tolerance: float = TOLERANCE) -> Verdict:
@@ -309,35 +297,22 @@ def wilson(reached: int, of: int) -> tuple[float, float]:
 
 
 class PlanVerdict(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """What is to be said of a plan without executing it.
+    """What is to be said of a plan without executing it."""
 
-    Attributes:
-        problem: Name of the problem.
-        plan: The plan's file.
-        valid_by_pddl: Whether it is a plan of the printed domain and problem.
-        valid_by_replay: Whether it leads to the goal when it is replayed with what was rehearsed.
-        domain: The printed domain that it is judged by; empty if none has its actions.
-        written_out: Whether it names steps alone, and was judged with the cells and places that these imply.
-        pddl_reason: Why it is no plan by PDDL, or empty.
-        pddl_failed: Number of the ground action that cannot be performed, counted from 1, if one cannot.
-        replay_reason: Why it does not lead to the goal when replayed, or empty.
-        replay_failed: Number of the step that is impossible, counted from 1, if one is.
-        steps: Its steps; empty if it cannot be read as steps of this domain.
-        chance: The chance that all steps go as promised; None if it cannot be read.
-    """
-
-    problem: str
-    plan: str
-    valid_by_pddl: bool
-    valid_by_replay: bool
-    domain: str
+    problem: str  # name of the problem
+    plan: str  # the plan's file
+    valid_by_pddl: bool  # whether it is a plan of the printed domain and problem
+    valid_by_replay: bool  # whether it leads to the goal when it is replayed with what was rehearsed
+    domain: str  # the printed domain that it is judged by; empty if none has its actions
+    # whether it names steps alone, and was judged with the cells and places that these imply
     written_out: bool
-    pddl_reason: str
+    pddl_reason: str  # why it is no plan by PDDL, or empty
+    # number of the ground action that cannot be performed, counted from 1, if one cannot
     pddl_failed: int | None
-    replay_reason: str
-    replay_failed: int | None
-    steps: Steps
-    chance: float | None
+    replay_reason: str  # why it does not lead to the goal when replayed, or empty
+    replay_failed: int | None  # number of the step that is impossible, counted from 1, if one is
+    steps: Steps  # its steps; empty if it cannot be read as steps of this domain
+    chance: float | None  # the chance that all steps go as promised; None if it cannot be read
 
     @property
     def valid(self) -> bool:
