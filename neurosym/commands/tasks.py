@@ -415,14 +415,15 @@ def planners(json: Json = False) -> int:
     """List the planners, the encodings that they take, and whether they are here."""
     from neurosym.planners.registry import PLANNERS
 
-    answer, rows, absent = answer_in(json), [], dict[str, list[str]]()
-    for planner in PLANNERS.values():
-        encodings = ", ".join(planner.encodings) or "-"
-        cell = planner.program.cell if planner.program else 0.0
+    answer, rows, told, absent = answer_in(json), [], [], dict[str, list[str]]()
+    for one in PLANNERS.values():
+        missing, encodings = one.missing(), ", ".join(one.encodings) or "-"
+        cell = one.program.cell if one.program else 0.0
         cells = f" from {cell * 1000:g} mm" if cell else ""
-        rows.append([planner.name, planner.about, encodings + cells, "no" if planner.missing() else "yes"])
-        if remedy := planner.missing():
-            absent.setdefault(remedy, []).append(planner.name)
+        rows.append([one.name, one.about, encodings + cells, "no" if missing else "yes"])
+        told.append({"name": one.name, "about": one.about, "encodings": one.encodings, "missing": missing})
+        if missing:
+            absent.setdefault(missing, []).append(one.name)
     show_table("Planners", ["planner", "what it is", "encodings", "installed"], rows)
     for remedy, names in absent.items():
         say(f"{', '.join(names)}: {remedy}")
@@ -430,17 +431,7 @@ def planners(json: Json = False) -> int:
     say("sas is what Fast Downward makes of objects that are led over cells")
     say("`pip install 'neurosym-pddl[planners]'` brings all of them")
     say_next("neurosym plan DIR PROBLEM --planner NAME")
-    answer(
-        [
-            {
-                "name": one.name,
-                "about": one.about,
-                "encodings": one.encodings,
-                "missing": one.missing(),
-            }
-            for one in PLANNERS.values()
-        ]
-    )
+    answer(told)
     return 0
 
 
