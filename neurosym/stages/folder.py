@@ -7,7 +7,7 @@ with its like. A stage's files are replaced together when it is done, and the ma
 import os
 import platform
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass, field
 from enum import IntEnum
 from itertools import count
@@ -198,11 +198,9 @@ class DomainFolder:
         path = self.path / layout.MANIFEST
         return read_json(path, Manifest) if path.exists() else Manifest()
 
-    @contextmanager
-    def naming_problems(self) -> Iterator[None]:
+    def naming_problems(self) -> AbstractContextManager[None]:
         """Keep others from making a problem here meanwhile, who would find the same name free."""
-        with locked(self.require(layout.GROUNDING)):
-            yield
+        return locked(self.require(layout.GROUNDING))
 
     @contextmanager
     def claimed(self, claim: Claim) -> Iterator[None]:
