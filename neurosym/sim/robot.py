@@ -219,23 +219,24 @@ class Robot:
 
     def close(self) -> None:
         """Close the fingers until they stop."""
-        self._drive_fingers(0.0, CLOSING_FORCE)
-        self._slide_fingers(0.0)
-        self._wait_for_fingers(0.0)
+        self._move_fingers(0.0, CLOSING_FORCE)
         self.is_open = False
 
     def open(self, half_opening: float | None = None) -> None:
         """Open each finger gently until it stops, at most so far [m], then hold it there."""
         widest = self._arm.half_opening
         half_opening = widest if half_opening is None else min(half_opening, widest)
-        self._drive_fingers(half_opening, OPENING_FORCE)
-        self._slide_fingers(half_opening)
-        self._wait_for_fingers(half_opening)
+        self._move_fingers(half_opening, OPENING_FORCE)
         self._drive_fingers(self.half_opening(), HOLDING_FORCE)
         self.is_open = True
 
-    def _slide_fingers(self, target: float) -> None:
-        """Put the fingers ahead, towards where each shall stand [m], as far as they come near nothing."""
+    def _move_fingers(self, target: float, force: float) -> None:
+        """Move the fingers towards where each shall stand [m], until they arrive or stand still.
+
+        They are put ahead as far as they come near nothing. Then at most the time of a full stroke and a
+        little passes.
+        """
+        self._drive_fingers(target, force)
         start = self.half_opening()
         stride = math.copysign(FINGER_SPEED * self._time_step, target - start)
         way = np.arange(start, target, stride)
@@ -243,11 +244,7 @@ class Robot:
             speeds = [stride / self._time_step] * 2
             drives = [([at, at], speeds) for at in way[1 : free + 1].tolist()]
             self._pass(free, self._arm.fingers, drives[-1], drives if self._show else [])
-
-    def _wait_for_fingers(self, target: float) -> None:
-        """Step until the fingers arrive or stand still; at most the time of a full stroke and a little."""
-        last = self.half_opening()
-        still = 0
+        last, still = self.half_opening(), 0
         for _ in range(int((self._arm.half_opening / FINGER_SPEED + 0.25) / self._time_step)):
             self._simulation.step()
             now = self.half_opening()
