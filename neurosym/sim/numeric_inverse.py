@@ -81,7 +81,7 @@ class NumericInverse:
         joints, left = np.tile(home, (len(points), 1)), np.arange(len(points))  # points not solved for yet
         for _ in range(MOST_STEPS):
             pose, jacobian = forward(chain, joints[left])
-            turn = _turn_between(pose[:, :3, :3], TOOL_DOWN)
+            turn = _turn_left(pose[:, :3, :3])
             error = np.concatenate([points[left] - pose[:, :3, 3], turn], axis=1)  # (N, 6)
             step = _step(jacobian, error, home - joints[left])
             largest = np.abs(step).max(axis=1)
@@ -132,11 +132,9 @@ def forward(
     return pose, jacobian.transpose(0, 2, 1)
 
 
-def _turn_between(
-    turn: Float[np.ndarray, "N 3 3"], wanted: Float[np.ndarray, "3 3"]
-) -> Float[np.ndarray, "N 3"]:
-    """Return the rotation vector in the world that leads from each orientation to the wanted one [rad]."""
-    between = wanted @ turn.transpose(0, 2, 1)
+def _turn_left(turn: Float[np.ndarray, "N 3 3"]) -> Float[np.ndarray, "N 3"]:
+    """Return the rotation vector in the world that leads from each orientation to `TOOL_DOWN` [rad]."""
+    between = TOOL_DOWN @ turn.transpose(0, 2, 1)
     twice_sine = np.stack([between[:, i, j] - between[:, j, i] for i, j in ((2, 1), (0, 2), (1, 0))], axis=1)
     sine = np.linalg.norm(twice_sine, axis=1) / 2
     angle = np.arctan2(sine, (np.trace(between, axis1=1, axis2=2) - 1) / 2)
