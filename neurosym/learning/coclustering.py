@@ -57,10 +57,7 @@ def nearest(
 
 
 def kmeans(
-    points: Float[np.ndarray, "N D"],
-    kinds: int,
-    rng: np.random.Generator,
-    labels: np.ndarray | None = None,
+    points: Float[np.ndarray, "N D"], kinds: int, rng: np.random.Generator, labels: np.ndarray | None = None
 ) -> Int[np.ndarray, "N"]:
     """Cluster points by Lloyd's steps, from given labels or from k-means++ seeds; returns labels.
 

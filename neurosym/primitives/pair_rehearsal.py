@@ -32,13 +32,7 @@ from neurosym.operators import (
     labelled,
     symbols_of,
 )
-from neurosym.pair_operators import (
-    SELDOM,
-    PairStates,
-    RelationOperators,
-    pair_end,
-    touching_units,
-)
+from neurosym.pair_operators import SELDOM, PairStates, RelationOperators, pair_end, touching_units
 from neurosym.primitives.rehearsal import Rehearsals, rehearsal_sample, rounded
 from neurosym.primitives.reliability import end_state
 from neurosym.primitives.sampling import Repertoire, perform_each, tasks_of, with_own

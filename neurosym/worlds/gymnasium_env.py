@@ -47,10 +47,7 @@ class WorldEnv(gymnasium.Env[Observation, np.ndarray]):
     metadata = {"render_modes": list(RENDER_MODES), "render_fps": 4}  # noqa: RUF012  (Gymnasium's own type)
 
     def __init__(
-        self,
-        world: World | Callable[[], World] | str,
-        objects: int = 1,
-        render_mode: str | None = None,
+        self, world: World | Callable[[], World] | str, objects: int = 1, render_mode: str | None = None
     ):
         if render_mode is not None and render_mode not in RENDER_MODES:
             raise UnknownChoice("render mode", render_mode, RENDER_MODES)
