@@ -34,13 +34,9 @@ PLACE_AXES = 4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AimedScene(Scene):
-    """A scene, and what actions in it are aimed at.
+    """A scene, and what actions in it are aimed at."""
 
-    Attributes:
-        reference: What they are aimed at.
-    """
-
-    reference: Place
+    reference: Place  # what they are aimed at
 
 
 class Adapted:
@@ -81,15 +77,10 @@ class Aimed(Adapted):
 
 @dataclass(frozen=True, slots=True)
 class AimedFactory:
-    """Makes worlds in which every action is aimed at a place.
+    """Makes worlds in which every action is aimed at a place."""
 
-    Attributes:
-        plain: Makes the world that they are made of.
-        margin: How far inside the edge of the table places lie [m].
-    """
-
-    plain: WorldFactory
-    margin: float = 0.0
+    plain: WorldFactory  # makes the world that they are made of
+    margin: float = 0.0  # how far inside the edge of the table places lie [m]
 
     def __call__(self) -> World:
         """Make a world."""
@@ -129,13 +120,9 @@ Aiming = Callable[[Float[np.ndarray, "A"], Float[np.ndarray, "F"]], Float[np.nda
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RelatedScene(Scene):
-    """A pair of objects, shown as one thing.
+    """A pair of objects, shown as one thing."""
 
-    Attributes:
-        whole: All objects: the target, the reference, and bystanders.
-    """
-
-    whole: Scene
+    whole: Scene  # all objects: the target, the reference, and bystanders
 
 
 class Related(Adapted):
@@ -265,13 +252,9 @@ _SIDES = ((0, -1), (0, 1), (1, -1), (1, 1))
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CrowdedScene(AimedScene):
-    """A scene of one object, and what stands around it.
+    """A scene of one object, and what stands around it."""
 
-    Attributes:
-        neighbours: They come after the object itself in the scenes of outcomes.
-    """
-
-    neighbours: Scene
+    neighbours: Scene  # they come after the object itself in the scenes of outcomes
 
 
 class Crowded(Aimed):
@@ -344,17 +327,11 @@ TO_THE_MIDDLE = 0.5
 
 @dataclass(frozen=True)
 class KnownMotions:
-    """Draws motions that carry objects of a target's category, to the reference or with a random end.
+    """Draws motions that carry objects of a target's category, to the reference or with a random end."""
 
-    Attributes:
-        places: What carries objects to places.
-        categorise: Gives the object symbols of features.
-        box: What actions must stay inside.
-    """
-
-    places: OperatorTable
-    categorise: Categorise
-    box: ActionBox
+    places: OperatorTable  # what carries objects to places
+    categorise: Categorise  # gives the object symbols of features
+    box: ActionBox  # what actions must stay inside
 
     @cached_property
     def _of_category(self) -> dict[Symbol, Float[np.ndarray, "P A"]]:

@@ -32,17 +32,11 @@ _DRAWS = 1000
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Way:
-    """What can be done with a pair of objects.
+    """What can be done with a pair of objects."""
 
-    Attributes:
-        state: Name of the state that the pair is brought to.
-        holds_several: Whether the reference may bear others then.
-        action: The action that does it.
-    """
-
-    state: str
-    holds_several: bool
-    action: Float[np.ndarray, "A"]
+    state: str  # name of the state that the pair is brought to
+    holds_several: bool  # whether the reference may bear others then
+    action: Float[np.ndarray, "A"]  # the action that does it
 
 
 _Pair = tuple[str, str]
@@ -117,25 +111,16 @@ def draw_relation_task(
 
 @dataclass(frozen=True, slots=True)
 class _Drawing:
-    """What a task is looked for in.
+    """What a task is looked for in."""
 
-    Attributes:
-        problem: The objects, all on the table; a task is this problem with goals, or None if there is none.
-        relations: What was learned of pairs.
-        ways: What can be done with them.
-        rng: Where draws come from.
-        height: How many objects a tower has.
-        state: The state that is asked for; any, if empty.
-        world: Where stacks are made.
-    """
-
+    # the objects, all on the table; a task is this problem with goals, or None if there is none
     problem: Problem
-    relations: RelationOperators
-    ways: Ways
-    rng: np.random.Generator
-    height: int
-    state: str
-    world: World
+    relations: RelationOperators  # what was learned of pairs
+    ways: Ways  # what can be done with them
+    rng: np.random.Generator  # where draws come from
+    height: int  # how many objects a tower has
+    state: str  # the state that is asked for; any, if empty
+    world: World  # where stacks are made
 
     def tower(self) -> Problem | None:
         """Ask for so many objects on one another."""

@@ -60,21 +60,13 @@ _ATTEMPTS = 1000
 
 @dataclass(frozen=True, slots=True)
 class ToyConfig:
-    """What a toy world is made of.
+    """What a toy world is made of."""
 
-    Attributes:
-        table: Where objects may stand [m].
-        lift_height: How high a grasped object is lifted [m].
-        sizes: Least and greatest size of an object along x and along y [m].
-        heights: Least and greatest height of an object [m].
-        gap: Least distance between two objects of a sampled scene [m].
-    """
-
-    table: Table = TABLE
-    lift_height: float = 0.2
-    sizes: tuple[float, float] = (0.03, 0.18)
-    heights: tuple[float, float] = (0.02, 0.10)
-    gap: float = 0.01
+    table: Table = TABLE  # where objects may stand [m]
+    lift_height: float = 0.2  # how high a grasped object is lifted [m]
+    sizes: tuple[float, float] = (0.03, 0.18)  # least and greatest size of an object along x and along y [m]
+    heights: tuple[float, float] = (0.02, 0.10)  # least and greatest height of an object [m]
+    gap: float = 0.01  # least distance between two objects of a sampled scene [m]
 
     def __post_init__(self) -> None:
         if self.lift_height <= 0:
