@@ -35,24 +35,15 @@ Perform = Callable[[Sequence[tuple[Primitive, Scene]]], Sequence[Outcome]]
 
 @dataclass(slots=True, eq=False)
 class Contest:
-    """Candidates that perform on the same scenes.
+    """Candidates that perform on the same scenes."""
 
-    Attributes:
-        share: How often such scenes are met.
-        scenes: What they perform in; each begins with the first.
-        groups: The candidates.
-        foreseen: What is predicted of each.
-        judge: Judges what was seen of one.
-        counts: As how many performances a prediction counts.
-        seen: What each did, in the first scenes.
-    """
-
-    share: float
-    scenes: Sequence[Scene]
-    groups: Groups
-    foreseen: dict[Primitive, Judgement]
-    judge: Callable[[Sequence[Outcome]], Judgement]
-    counts: int = FORESEEN_COUNTS
+    share: float  # how often such scenes are met
+    scenes: Sequence[Scene]  # what they perform in; each begins with the first
+    groups: Groups  # the candidates
+    foreseen: dict[Primitive, Judgement]  # what is predicted of each
+    judge: Callable[[Sequence[Outcome]], Judgement]  # judges what was seen of one
+    counts: int = FORESEEN_COUNTS  # as how many performances a prediction counts
+    # what each did, in the first scenes
     seen: dict[Primitive, list[Outcome]] = field(default_factory=dict, init=False)
 
     def judged(self, one: Primitive, trust: float = 1.0) -> Judgement:

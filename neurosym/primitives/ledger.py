@@ -37,20 +37,15 @@ _PLACES = 64  # objects that a scene may have, since contacts are kept as bits
 class Ledger:
     """Outcomes of what was performed in one world.
 
-    Attributes:
-        path: The file; None keeps them in memory.
-        of: What identifies the world, in plain JSON values; outcomes in another one are forgotten.
-        workers: How many processes perform; their number does not change the outcomes.
-        free: So many of the first outcomes were paid for before.
-
     Raises:
         InvalidFile: If the file is damaged.
     """
 
-    path: Path | None = None
+    path: Path | None = None  # the file; None keeps them in memory
+    # what identifies the world, in plain JSON values; outcomes in another one are forgotten
     of: dict[str, Any] = field(default_factory=dict)
-    workers: int = 1
-    free: int = 0
+    workers: int = 1  # how many processes perform; their number does not change the outcomes
+    free: int = 0  # so many of the first outcomes were paid for before
     _asked: set[bytes] = field(default_factory=set, init=False)
     _paid: frozenset[bytes] = field(default=frozenset(), init=False)
     _objects: list[dict[str, np.ndarray]] = field(default_factory=list, init=False)

@@ -55,19 +55,13 @@ from neurosym.worlds.aims import AimedFactory, CrowdedFactory, RelatedFactory
 
 @dataclass(frozen=True, slots=True)
 class Method:
-    """How operators are found for what actions are aimed at.
+    """How operators are found for what actions are aimed at."""
 
-    Attributes:
-        adapt: Has every action in a world aimed so.
-        choose: Chooses among the candidates.
-        measure: Tells from the rehearsals of what was chosen what each operator does; rehearses it further.
-        distils: Whether candidates are distilled, or known from elsewhere.
-    """
-
-    adapt: Callable[[WorldFactory], WorldFactory]
-    choose: Callable[[Search], Repertoire]
+    adapt: Callable[[WorldFactory], WorldFactory]  # has every action in a world aimed so
+    choose: Callable[[Search], Repertoire]  # chooses among the candidates
+    # tells from the rehearsals of what was chosen what each operator does; rehearses it further
     measure: Callable[[Search, Rehearsals], Any]
-    distils: bool = True
+    distils: bool = True  # whether candidates are distilled, or known from elsewhere
 
 
 class NothingDistilled(InvalidValue):

@@ -50,16 +50,11 @@ _ALONE = 0.7  # share of what is left that rehearses pairs; the rest rehearses a
 
 @dataclass(frozen=True)
 class Carriers:
-    """What carries objects to places, as it is aimed at other objects.
+    """What carries objects to places, as it is aimed at other objects."""
 
-    Attributes:
-        places: What carries objects to places.
-        categorise: Gives the object symbols of features.
-        encode: Gives actions their symbols among those that are aimed at other objects.
-    """
-
-    places: OperatorTable
-    categorise: Categorise
+    places: OperatorTable  # what carries objects to places
+    categorise: Categorise  # gives the object symbols of features
+    # gives actions their symbols among those that are aimed at other objects
     encode: Callable[[Float[np.ndarray, "N A"]], tuple[Primitive, ...]]
 
     def __call__(

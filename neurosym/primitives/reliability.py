@@ -123,36 +123,23 @@ TURNED = math.radians(15)
 
 @dataclass(frozen=True, slots=True)
 class Performance:
-    """How an action turned out on one object.
+    """How an action turned out on one object."""
 
-    Attributes:
-        kind: How the object ended.
-        outcome: Its displacement as it ended: held in the air, or else at rest [m].
-        peak_height: Its greatest height on the way [m].
-        turn: By what angle it was turned in the end [rad].
-        disturbs: Whether another object was moved.
-    """
-
-    kind: OutcomeKind
-    outcome: Effect
-    peak_height: float
-    turn: float
-    disturbs: bool = False
+    kind: OutcomeKind  # how the object ended
+    outcome: Effect  # its displacement as it ended: held in the air, or else at rest [m]
+    peak_height: float  # its greatest height on the way [m]
+    turn: float  # by what angle it was turned in the end [rad]
+    disturbs: bool = False  # whether another object was moved
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Judgement:
-    """What an action mostly does to the objects of a category.
+    """What an action mostly does to the objects of a category."""
 
-    Attributes:
-        kind: How most of them end, of `PROMISING`; None if none of them ends so.
-        mean: Mean displacement of those as they ended, and mean of their greatest heights [m].
-        sureness: How surely it does that: from 0 to 1.
-    """
-
-    kind: OutcomeKind | None
+    kind: OutcomeKind | None  # how most of them end, of `PROMISING`; None if none of them ends so
+    # mean displacement of those as they ended, and mean of their greatest heights [m]
     mean: Float[np.ndarray, "D"]
-    sureness: float
+    sureness: float  # how surely it does that: from 0 to 1
 
 
 Foresee = Callable[[Float[np.ndarray, "N O"]], Judgement]

@@ -90,20 +90,17 @@ def tasks_of(primitive: Primitive, scenes: Iterable[Scene]) -> list[Task]:
 
 @dataclass(frozen=True, slots=True)
 class Repertoire:
-    """Actions, and which of them are performed on which category.
+    """Actions, and which of them are performed on which category."""
 
-    Attributes:
-        primitives: In the order of their symbols; the one that a symbol shares among categories comes first.
-        own: Labels of those that are performed on a category, for categories with actions of their own. On
-            others the shared ones are performed; None if every action is performed on every category.
-        times: On how many objects of a category an action is performed, by the category and its label; on all
-            where it is not said.
-        fits: Says whether an action is for what a scene shows, where the category does not.
-    """
-
+    # in the order of their symbols; the one that a symbol shares among categories comes first
     primitives: tuple[Primitive, ...]
+    # labels of those that are performed on a category, for categories with actions of their own. On others
+    # the shared ones are performed; None if every action is performed on every category
     own: Mapping[Symbol, tuple[str, ...]] | None = None
+    # on how many objects of a category an action is performed, by the category and its label; on all where it
+    # is not said
     times: Mapping[tuple[Symbol, str], int] = field(default_factory=dict)
+    # says whether an action is for what a scene shows, where the category does not
     fits: Callable[[Primitive, Scene], bool] = field(default=lambda *_: True, compare=False)
 
     def serves(self, primitive: Primitive, category: Symbol) -> bool:

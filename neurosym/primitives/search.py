@@ -22,35 +22,21 @@ _CHOOSING = 0.6  # share of all performances that choose
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Search:
-    """What operators are chosen from, and measured with.
+    """What operators are chosen from, and measured with."""
 
-    Attributes:
-        candidates: Distilled actions.
-        predict: A network without a bottleneck on the same data, which shortlists.
-        features: What it can be asked about: of the objects of the data.
-        categorise: Gives the object symbols of features.
-        world_factory: Builds the world; must survive pickling if there is more than one worker.
-        shown: Builds it as it is shown: every action in it is aimed.
-        seed: Where all draws start.
-        objects: How many objects each symbol is rehearsed on, not counting those added for rare categories.
-        budget: How often actions perform at most.
-        ledger: What performs, and keeps what was performed.
-        former: Candidates that were chosen before, when less was known.
-        open_bar: Shows how far each part has come.
-    """
-
-    candidates: tuple[Primitive, ...]
-    predict: PredictOutcomes
-    features: Float[np.ndarray, "M F"]
-    categorise: Categorise
-    world_factory: WorldFactory
-    shown: WorldFactory
-    seed: int
+    candidates: tuple[Primitive, ...]  # distilled actions
+    predict: PredictOutcomes  # a network without a bottleneck on the same data, which shortlists
+    features: Float[np.ndarray, "M F"]  # what it can be asked about: of the objects of the data
+    categorise: Categorise  # gives the object symbols of features
+    world_factory: WorldFactory  # builds the world; must survive pickling if there is more than one worker
+    shown: WorldFactory  # builds it as it is shown: every action in it is aimed
+    seed: int  # where all draws start
+    # how many objects each symbol is rehearsed on, not counting those added for rare categories
     objects: int = 100
-    budget: int = BUDGET
-    ledger: Ledger = field(default_factory=Ledger)
-    former: tuple[Primitive, ...] = ()
-    open_bar: OpenBar = silent
+    budget: int = BUDGET  # how often actions perform at most
+    ledger: Ledger = field(default_factory=Ledger)  # what performs, and keeps what was performed
+    former: tuple[Primitive, ...] = ()  # candidates that were chosen before, when less was known
+    open_bar: OpenBar = silent  # shows how far each part has come
 
     @property
     def left(self) -> int:
