@@ -27,21 +27,13 @@ _DAMPING = 1e-9
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Chain:
-    """The joints between an arm's base and its tool, while all joints are at zero, in the world.
+    """The joints between an arm's base and its tool, while all joints are at zero, in the world."""
 
-    Attributes:
-        slides: Which joints slide; the others turn.
-        axes: Their directions.
-        origins: A point on each axis [m].
-        limits: Least and greatest angle of each joint [rad]; for sliding ones [m].
-        tool: Pose of the tool.
-    """
-
-    slides: Bool[np.ndarray, "J"]
-    axes: Float[np.ndarray, "J 3"]
-    origins: Float[np.ndarray, "J 3"]
-    limits: Float[np.ndarray, "J 2"]
-    tool: Float[np.ndarray, "4 4"]
+    slides: Bool[np.ndarray, "J"]  # which joints slide; the others turn
+    axes: Float[np.ndarray, "J 3"]  # their directions
+    origins: Float[np.ndarray, "J 3"]  # a point on each axis [m]
+    limits: Float[np.ndarray, "J 2"]  # least and greatest angle of each joint [rad]; for sliding ones [m]
+    tool: Float[np.ndarray, "4 4"]  # pose of the tool
 
 
 @dataclass(frozen=True, slots=True)
