@@ -32,30 +32,21 @@ FORMAT = "neurosym-interactions-1"
 class Interactions:
     """Interactions in the order they were made; lengths in metres.
 
-    Attributes:
-        features: Features of the target object.
-        actions: Action parameters.
-        effects: Displacement of the target at the end of the rise [m]. Of actions that are aimed at a
-            reference: where the target ends relative to it, and 1, if it is carried there; else zeros.
-        resting_effects: Displacement of the target once everything is put down [m].
-        held: Whether the target hung from the gripper at the end of the rise.
-        toppled: Whether the target ended on another face.
-        lost: Whether the target ended off the table.
-        peak_heights: Greatest height of the target above its start on the way [m].
-        origin: How the data came about (strategy, seed, world, ...), as plain JSON values.
-
     Raises:
         InvalidValue: If the columns do not fit together, or hold what is not finite.
     """
 
-    features: Float[np.ndarray, "N F"]
-    actions: Float[np.ndarray, "N A"]
+    features: Float[np.ndarray, "N F"]  #: Features of the target object
+    actions: Float[np.ndarray, "N A"]  #: Action parameters
+    #: Displacement of the target at the end of the rise [m]. Of actions that are aimed at a reference: where
+    #: the target ends relative to it, and 1, if it is carried there; else zeros
     effects: Float[np.ndarray, "N E"]
-    resting_effects: Float[np.ndarray, "N E"]
-    held: Bool[np.ndarray, "N"]
-    toppled: Bool[np.ndarray, "N"]
-    lost: Bool[np.ndarray, "N"]
-    peak_heights: Float[np.ndarray, "N"]
+    resting_effects: Float[np.ndarray, "N E"]  #: Displacement of the target once everything is put down [m]
+    held: Bool[np.ndarray, "N"]  #: Whether the target hung from the gripper at the end of the rise
+    toppled: Bool[np.ndarray, "N"]  #: Whether the target ended on another face
+    lost: Bool[np.ndarray, "N"]  #: Whether the target ended off the table
+    peak_heights: Float[np.ndarray, "N"]  #: Greatest height of the target above its start on the way [m]
+    #: How the data came about (strategy, seed, world, ...), as plain JSON values
     origin: dict[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -126,21 +117,13 @@ class Interactions:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Examination:
-    """What was found in a file that should hold a data set.
+    """What was found in a file that should hold a data set."""
 
-    Attributes:
-        columns: The arrays that could be read, with their names.
-        origin: What it says of how they came about.
-        given: The names of all arrays in the file.
-        problems: What keeps the arrays from being a data set, a sentence's end each.
-        interactions: The data set, if there are no problems.
-    """
-
-    columns: dict[str, np.ndarray]
-    origin: dict[str, Any]
-    given: tuple[str, ...]
-    problems: tuple[str, ...]
-    interactions: Interactions | None
+    columns: dict[str, np.ndarray]  # the arrays that could be read, with their names
+    origin: dict[str, Any]  # what it says of how they came about
+    given: tuple[str, ...]  # the names of all arrays in the file
+    problems: tuple[str, ...]  # what keeps the arrays from being a data set, a sentence's end each
+    interactions: Interactions | None  # the data set, if there are no problems
 
 
 def examine(path: Path) -> Examination:

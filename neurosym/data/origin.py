@@ -22,19 +22,12 @@ from neurosym.world import Mirror, column_problem
 
 @dataclass(frozen=True, slots=True)
 class Dimensions:
-    """What the network reads and writes.
+    """What the network reads and writes."""
 
-    Attributes:
-        features: How many object features.
-        actions: How many action parameters.
-        effects: How many effect axes.
-        gripper_columns: Which action parameters are gripper values.
-    """
-
-    features: int = 4
-    actions: int = 12
-    effects: int = 3
-    gripper_columns: tuple[int, ...] = (3, 7, 11)
+    features: int = 4  # how many object features
+    actions: int = 12  # how many action parameters
+    effects: int = 3  # how many effect axes
+    gripper_columns: tuple[int, ...] = (3, 7, 11)  # which action parameters are gripper values
 
     def __post_init__(self) -> None:
         if min(self.features, self.actions, self.effects) < 1:
@@ -57,17 +50,12 @@ MIN_EFFECT = 0.08
 
 @dataclass(frozen=True, slots=True)
 class Strategy:
-    """A way to explore, and to learn from it.
+    """A way to explore, and to learn from it."""
 
-    Attributes:
-        curious_about: What it looks for in the candidate actions; None takes a random one.
-        head: What the final model predicts.
-        is_picky: Whether the final model learns from high effects only.
-    """
-
+    # what it looks for in the candidate actions; None takes a random one
     curious_about: Literal["entropy", "disagreement"] | None
-    head: Literal["gaussian", "mean"]
-    is_picky: bool = False
+    head: Literal["gaussian", "mean"]  # what the final model predicts
+    is_picky: bool = False  # whether the final model learns from high effects only
 
     def learns_from(self, effects: Float[np.ndarray, "N E"]) -> Bool[np.ndarray, "N"]:
         """Say which interactions a model is trained on, from their effects [m]."""
