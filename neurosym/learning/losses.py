@@ -152,25 +152,16 @@ def reproducible(seed: int) -> Iterator[torch.Generator]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Samples:
-    """The training data, and where further actions may be drawn from.
+    """The training data, and where further actions may be drawn from."""
 
-    Attributes:
-        features: Object features.
-        actions: Action parameters.
-        effects: Effects [m].
-        peaks: Greatest heights on the way [m].
-        low: Least value of each action parameter, if the actions were drawn from a box; else None.
-        high: Greatest value of each action parameter, likewise.
-        mirrors: Mirrors of the world that are made use of.
-    """
-
-    features: Float[Tensor, "N F"]
-    actions: Float[Tensor, "N A"]
-    effects: Float[Tensor, "N E"]
-    peaks: Float[Tensor, "N"]
+    features: Float[Tensor, "N F"]  # object features
+    actions: Float[Tensor, "N A"]  # action parameters
+    effects: Float[Tensor, "N E"]  # effects [m]
+    peaks: Float[Tensor, "N"]  # greatest heights on the way [m]
+    # least value of each action parameter, if the actions were drawn from a box; else None
     low: Float[Tensor, "A"] | None
-    high: Float[Tensor, "A"] | None
-    mirrors: tuple[Mirror, ...] = ()
+    high: Float[Tensor, "A"] | None  # greatest value of each action parameter, likewise
+    mirrors: tuple[Mirror, ...] = ()  # mirrors of the world that are made use of
 
     def __len__(self) -> int:
         return len(self.features)

@@ -33,16 +33,13 @@ class EffectNetwork(nn.Module):
         dimensions: What the network reads and writes.
         config: How it is built.
         outputs: How many numbers it predicts, the effect axes first; just these if not given.
-
-    Attributes:
-        trained_by: What made the weights, as plain JSON values; stored in the file.
     """
 
     FORMAT: ClassVar[str]
     CONFIG: ClassVar[type[ModelConfig] | type[DirectConfig]]
     effect_mean: Tensor
     effect_std: Tensor
-    trained_by: dict[str, Any]
+    trained_by: dict[str, Any]  # what made the weights, as plain JSON values; stored in the file
 
     def __init__(
         self, dimensions: Dimensions, config: ModelConfig | DirectConfig, outputs: int | None = None

@@ -54,22 +54,15 @@ _ACTIONS_ASKED = 128  # to see what kind an object is
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CodeTargets:
-    """What codes stand for, and examples of what should be called how.
+    """What codes stand for, and examples of what should be called how."""
 
-    Attributes:
-        effects: Effect that each pair of codes stands for, standardised.
-        actions: Actions to be named.
-        action_costs: What each code would cost as the name of each: mean squared error of the effect, less
-            that of the best code, and divided by the mean of all.
-        features: Objects to be named.
-        object_costs: The same for them.
-    """
-
-    effects: Float[Tensor, "La Lo E"]
-    actions: Float[Tensor, "R A"]
+    effects: Float[Tensor, "La Lo E"]  # effect that each pair of codes stands for, standardised
+    actions: Float[Tensor, "R A"]  # actions to be named
+    # what each code would cost as the name of each: mean squared error of the effect, less that of the best
+    # code, and divided by the mean of all
     action_costs: Float[Tensor, "R La"]
-    features: Float[Tensor, "C F"]
-    object_costs: Float[Tensor, "C Lo"]
+    features: Float[Tensor, "C F"]  # objects to be named
+    object_costs: Float[Tensor, "C Lo"]  # the same for them
 
 
 def find_code_targets(

@@ -23,39 +23,25 @@ from neurosym.operators import all_symbols, name_axes
 
 
 class TrainingReport(msgspec.Struct, frozen=True, omit_defaults=True):
-    """How well a model fits, on interactions held out from training.
+    """How well a model fits, on interactions held out from training."""
 
-    Attributes:
-        held_out: How many interactions it was measured on.
-        r2_through_codes: R2 of the effect through the binary codes, mean over the axes that vary.
-        r2_direct: The same of the network without a bottleneck.
-        share: The one divided by the other; see `share_of`.
-        mae: Mean absolute error on each axis [m], of the model through its codes and of trivial predictors.
-        object_symbols: Share of each object symbol.
-        action_symbols: Share of each action symbol.
-        r2_through_codes_by_axis: R2 through the codes on each axis.
-        r2: R2 without cutting the embeddings to bits.
-        r2_by_axis: The same on each axis.
-        r2_direct_by_axis: R2 of the network without a bottleneck on each axis.
-        restarts: R2 through the codes of each fit that was made; of the one that is made today.
-        empty_object_codes: Codes that no object of the data has, neither of those learned from nor held out.
-        empty_action_codes: The same of actions.
-    """
-
-    held_out: int
-    r2_through_codes: float
-    r2_through_codes_by_axis: tuple[float, ...]
-    r2: float
-    r2_by_axis: tuple[float, ...]
-    r2_direct: float
-    r2_direct_by_axis: tuple[float, ...]
-    share: float | None
+    held_out: int  # how many interactions it was measured on
+    r2_through_codes: float  # R2 of the effect through the binary codes, mean over the axes that vary
+    r2_through_codes_by_axis: tuple[float, ...]  # the same on each axis
+    r2: float  # R2 without cutting the embeddings to bits
+    r2_by_axis: tuple[float, ...]  # the same on each axis
+    r2_direct: float  # R2 of the network without a bottleneck, mean over these axes
+    r2_direct_by_axis: tuple[float, ...]  # the same on each axis
+    share: float | None  # R2 through the codes divided by R2 of that network; see `share_of`
+    # mean absolute error on each axis [m], of the model through its codes and of trivial predictors
     mae: dict[str, list[float]]
-    object_symbols: dict[str, float]
-    action_symbols: dict[str, float]
+    object_symbols: dict[str, float]  # share of each object symbol
+    action_symbols: dict[str, float]  # share of each action symbol
+    # R2 through the codes of each fit that was made; of the one that is made today
     restarts: tuple[float, ...] = ()
+    # codes that no object of the data has, neither of those learned from nor held out
     empty_object_codes: tuple[str, ...] = ()
-    empty_action_codes: tuple[str, ...] = ()
+    empty_action_codes: tuple[str, ...] = ()  # the same of actions
 
 
 def empty_codes(report: TrainingReport) -> str:
@@ -105,17 +91,11 @@ _DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart
 
 @dataclass(frozen=True, slots=True)
 class Trained:
-    """What training makes.
+    """What training makes."""
 
-    Attributes:
-        model: The effect model, whose bits are the symbols.
-        direct: A network without a bottleneck on the same data: what the bits could tell at best.
-        report: How well both predict.
-    """
-
-    model: EffectModel
-    direct: DirectModel
-    report: TrainingReport
+    model: EffectModel  #: The effect model, whose bits are the symbols
+    direct: DirectModel  #: A network without a bottleneck on the same data: what the bits could tell at best
+    report: TrainingReport  #: How well both predict
 
 
 def train(

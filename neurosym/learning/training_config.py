@@ -35,27 +35,21 @@ def check_positive(config: Any, *besides: str) -> None:
 
 @dataclass(frozen=True, slots=True)
 class ModelConfig:
-    """How the network is built.
+    """How the network is built."""
 
-    Attributes:
-        object_bits: Bits of an object symbol.
-        action_bits: Bits of an action symbol.
-        hidden: Width of the hidden layers.
-        dropout: Share of hidden units dropped in training (the paper does not say how many). None by default:
-            what a teacher imagines never repeats itself.
-        layer_norm: Whether the concatenated embeddings are layer-normalised (the paper's text). All-plus and
-            all-minus then look alike to the decoder.
-        gripper_sharpness: Gripper parameters g enter as open or closed, since that is all they do;
-            distillation sees sigmoid(sharpness (g - 0.5)). None lets them enter as they are (the paper).
-        head: "gaussian" predicts mean and log variance, "mean" the mean alone (the baselines).
-    """
-
-    object_bits: int = PAPER_BITS[0]
-    action_bits: int = PAPER_BITS[1]
-    hidden: int = 128
+    object_bits: int = PAPER_BITS[0]  # bits of an object symbol
+    action_bits: int = PAPER_BITS[1]  # bits of an action symbol
+    hidden: int = 128  # width of the hidden layers
+    # share of hidden units dropped in training (the paper does not say how many). None by default: what a
+    # teacher imagines never repeats itself
     dropout: float = 0.0
+    # whether the concatenated embeddings are layer-normalised (the paper's text). All-plus and all-minus then
+    # look alike to the decoder
     layer_norm: bool = False
+    # gripper parameters g enter as open or closed, since that is all they do; distillation sees
+    # sigmoid(sharpness (g - 0.5)). None lets them enter as they are (the paper)
     gripper_sharpness: float | None = 15.0
+    # "gaussian" predicts mean and log variance, "mean" the mean alone (the baselines)
     head: Literal["gaussian", "mean"] = "gaussian"
 
     def __post_init__(self) -> None:
@@ -89,38 +83,24 @@ EXPLORING = ModelConfig(*PAPER_BITS, dropout=0.1, layer_norm=True)
 
 @dataclass(frozen=True, slots=True)
 class DirectConfig:
-    """How a network without a bottleneck is built.
+    """How a network without a bottleneck is built."""
 
-    Attributes:
-        hidden: Width of its three hidden layers.
-        dropout: Share of hidden units dropped in training.
-        gripper_sharpness: As in `ModelConfig`.
-        peaks: Whether it also predicts the greatest height on the way, which tells carrying from pushing.
-    """
-
-    hidden: int = 256
-    dropout: float = 0.1
-    gripper_sharpness: float | None = 15.0
+    hidden: int = 256  # width of its three hidden layers
+    dropout: float = 0.1  # share of hidden units dropped in training
+    gripper_sharpness: float | None = 15.0  # as in `ModelConfig`
+    # whether it also predicts the greatest height on the way, which tells carrying from pushing
     peaks: bool = True
 
 
 @dataclass(frozen=True, slots=True)
 class TeacherConfig:
-    """How the network without a bottleneck is fitted, which teaches what the bits should say.
+    """How the network without a bottleneck is fitted, which teaches what the bits should say."""
 
-    Attributes:
-        network: How it is built.
-        epochs: How often it sees every interaction.
-        batch: Interactions in its mini-batches.
-        rate: Step size of its optimiser, AdamW.
-        weight_decay: Weight decay of the same.
-    """
-
-    network: DirectConfig = field(default_factory=DirectConfig)
-    epochs: int = 100
-    batch: int = 256
-    rate: float = 3e-3
-    weight_decay: float = 1e-2
+    network: DirectConfig = field(default_factory=DirectConfig)  # how it is built
+    epochs: int = 100  # how often it sees every interaction
+    batch: int = 256  # interactions in its mini-batches
+    rate: float = 3e-3  # step size of its optimiser, AdamW
+    weight_decay: float = 1e-2  # weight decay of the same
 
     def __post_init__(self) -> None:
         check_positive(self, "weight_decay")
@@ -128,27 +108,17 @@ class TeacherConfig:
 
 @dataclass(frozen=True, slots=True)
 class NamingConfig:
-    """What encoders begin with: the teacher's predictions are co-clustered, and they are fitted to the codes.
+    """What encoders begin with: a fit to the codes of a co-clustering of the predictions of the teacher."""
 
-    Attributes:
-        table_actions: Rows of the table of predictions that is co-clustered.
-        table_objects: Columns of that table.
-        table_restarts: Starts of the co-clustering.
-        actions: How many more actions the teacher tells the meaning of, for the encoder to be fitted.
-        objects: The same of objects.
-        starts: From how many starts each encoder is fitted to them; the best is kept.
-        steps: Steps of each of these fits; see `TrainingConfig.for_bits`.
-        batch: How many at a time.
-    """
-
-    table_actions: int = 3000
-    table_objects: int = 96
-    table_restarts: int = 20
+    table_actions: int = 3000  # rows of the table of predictions that is co-clustered
+    table_objects: int = 96  # columns of that table
+    table_restarts: int = 20  # starts of the co-clustering
+    # how many more actions the teacher tells the meaning of, for the encoder to be fitted
     actions: int = 40_000
-    objects: int = 4000
-    starts: int = 3
-    steps: int = 400
-    batch: int = 1024
+    objects: int = 4000  # the same of objects
+    starts: int = 3  # from how many starts each encoder is fitted to them; the best is kept
+    steps: int = 400  # steps of each of these fits; see `TrainingConfig.for_bits`
+    batch: int = 1024  # how many at a time
 
     def __post_init__(self) -> None:
         check_positive(self)
@@ -156,19 +126,12 @@ class NamingConfig:
 
 @dataclass(frozen=True, slots=True)
 class CodingConfig:
-    """How both encoders are fitted end to end.
+    """How both encoders are fitted end to end."""
 
-    Attributes:
-        actions: Actions in a step.
-        objects: Objects in it: each action is imagined on each object.
-        steps: How many steps; see `TrainingConfig.for_bits`.
-        rate: Greatest step size of Adam for the encoders; half of it in this fit.
-    """
-
-    actions: int = 256
-    objects: int = 16
-    steps: int = 1000
-    rate: float = 2e-3
+    actions: int = 256  # actions in a step
+    objects: int = 16  # objects in it: each action is imagined on each object
+    steps: int = 1000  # how many steps; see `TrainingConfig.for_bits`
+    rate: float = 2e-3  # greatest step size of Adam for the encoders; half of it in this fit
 
     def __post_init__(self) -> None:
         check_positive(self)
@@ -176,20 +139,13 @@ class CodingConfig:
 
 @dataclass(frozen=True, slots=True)
 class DecoderConfig:
-    """What the decoder is fitted to in the end.
+    """What the decoder is fitted to in the end."""
 
-    Attributes:
-        learns_from: "imagined" fits the decoder of "taught" to actions as they come, "data" to those that
-            were chosen.
-        imagined: Interactions that are imagined for it.
-        imagined_epochs: How often it sees each of them.
-        epochs: How often it sees every interaction, if it is fitted to the data.
-    """
-
+    # "imagined" fits the decoder of "taught" to actions as they come, "data" to those that were chosen
     learns_from: Literal["imagined", "data"] = "imagined"
-    imagined: int = 60_000
-    imagined_epochs: int = 8
-    epochs: int = 80
+    imagined: int = 60_000  # interactions that are imagined for it
+    imagined_epochs: int = 8  # how often it sees each of them
+    epochs: int = 80  # how often it sees every interaction, if it is fitted to the data
 
     def __post_init__(self) -> None:
         check_positive(self)
@@ -197,44 +153,27 @@ class DecoderConfig:
 
 @dataclass(frozen=True, slots=True)
 class TrainingConfig:
-    """How the final fit is made.
+    """How the final fit is made."""
 
-    Attributes:
-        recipe: "joint" trains the whole network at once (the paper), "refit" then freezes the codes and fits
-            the decoder to them, "taught" lets a network without a bottleneck teach what the bits should say.
-        epochs: How often every interaction is seen by the whole network.
-        batch: Interactions in a mini-batch.
-        learning_rate: Step size of Adam.
-        loss_coefficient: The coefficient lambda of eq. 9.
-        temperature: The temperature tau of eq. 8.
-        contrastive: Whether the contrastive loss of eq. 8 is added.
-        clip_norm: Greatest norm of a gradient.
-        decay: Whether the learning rate falls to zero along a half cosine.
-        standardise: Whether effects are standardised inside the networks; else they stay in metres.
-        mirrors: Whether interactions are also seen through the mirrors of the world.
-        validation_share: Share of the interactions held out, to report how well they are predicted.
-        teacher: How the network without a bottleneck is fitted.
-        naming: What the encoders of "taught" begin with.
-        coding: How they are fitted end to end.
-        decoder: What its decoder is fitted to.
-    """
-
+    # "joint" trains the whole network at once (the paper), "refit" then freezes the codes and fits the
+    # decoder to them, "taught" lets a network without a bottleneck teach what the bits should say
     recipe: Literal["joint", "refit", "taught"] = "taught"
-    epochs: int = 100
-    batch: int = 512
-    learning_rate: float = 1e-3
-    loss_coefficient: float = 1.0
-    temperature: float = 0.1
-    contrastive: bool = True
-    clip_norm: float = 1.0
-    decay: bool = True
-    standardise: bool = True
-    mirrors: bool = True
-    validation_share: float = 0.1
+    epochs: int = 100  # how often every interaction is seen by the whole network
+    batch: int = 512  # interactions in a mini-batch
+    learning_rate: float = 1e-3  # step size of Adam
+    loss_coefficient: float = 1.0  # the coefficient lambda of eq. 9
+    temperature: float = 0.1  # the temperature tau of eq. 8
+    contrastive: bool = True  # whether the contrastive loss of eq. 8 is added
+    clip_norm: float = 1.0  # greatest norm of a gradient
+    decay: bool = True  # whether the learning rate falls to zero along a half cosine
+    standardise: bool = True  # whether effects are standardised inside the networks; else they stay in metres
+    mirrors: bool = True  # whether interactions are also seen through the mirrors of the world
+    validation_share: float = 0.1  # share of the interactions held out, to report how well they are predicted
+    # how the network without a bottleneck is fitted
     teacher: TeacherConfig = field(default_factory=TeacherConfig)
-    naming: NamingConfig = field(default_factory=NamingConfig)
-    coding: CodingConfig = field(default_factory=CodingConfig)
-    decoder: DecoderConfig = field(default_factory=DecoderConfig)
+    naming: NamingConfig = field(default_factory=NamingConfig)  # what the encoders of "taught" begin with
+    coding: CodingConfig = field(default_factory=CodingConfig)  # how they are fitted end to end
+    decoder: DecoderConfig = field(default_factory=DecoderConfig)  # what its decoder is fitted to
 
     def __post_init__(self) -> None:
         check_positive(self)
@@ -295,19 +234,12 @@ _STORED = {
 
 @dataclass(frozen=True, slots=True)
 class Regime:
-    """A network and the way it is trained, that belong together.
+    """A network and the way it is trained, that belong together."""
 
-    Attributes:
-        model: How the network is built.
-        training: How the final fit is made.
-        exploration: How the network is built whose entropy is explored by.
-        exploration_rate: Step size of Adam during exploration.
-    """
-
-    model: ModelConfig
-    training: TrainingConfig
-    exploration_rate: float
-    exploration: ModelConfig = EXPLORING
+    model: ModelConfig  # how the network is built
+    training: TrainingConfig  # how the final fit is made
+    exploration_rate: float  # step size of Adam during exploration
+    exploration: ModelConfig = EXPLORING  # how the network is built whose entropy is explored by
 
 
 _PRINTED = ModelConfig(*PAPER_BITS, dropout=0.1, gripper_sharpness=None, layer_norm=True)
