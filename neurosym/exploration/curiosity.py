@@ -25,27 +25,16 @@ _STREAM = 0x626C  # keeps these draws apart from those of scenes and candidates
 
 @dataclass(frozen=True, slots=True)
 class LearningConfig:
-    """How networks learn during exploration.
+    """How networks learn during exploration."""
 
-    Attributes:
-        epochs: How often a network sees every interaction after a block.
-        batch: Interactions in a mini-batch.
-        learning_rate: Step size of Adam.
-        loss_coefficient: The coefficient lambda of eq. 9.
-        temperature: The temperature tau of eq. 8.
-        clip_norm: Greatest norm of a gradient.
-        ensemble: How many networks disagree.
-        ensemble_hidden: Width of their hidden layers.
-    """
-
-    epochs: int = 10
-    batch: int = 512
-    learning_rate: float = 1e-3
-    loss_coefficient: float = 1.0
-    temperature: float = 0.1
-    clip_norm: float = 1.0
-    ensemble: int = 5
-    ensemble_hidden: int = 64
+    epochs: int = 10  # how often a network sees every interaction after a block
+    batch: int = 512  # interactions in a mini-batch
+    learning_rate: float = 1e-3  # step size of Adam
+    loss_coefficient: float = 1.0  # the coefficient lambda of eq. 9
+    temperature: float = 0.1  # the temperature tau of eq. 8
+    clip_norm: float = 1.0  # greatest norm of a gradient
+    ensemble: int = 5  # how many networks disagree
+    ensemble_hidden: int = 64  # width of their hidden layers
 
     def __post_init__(self) -> None:
         check_positive(self)

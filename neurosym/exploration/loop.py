@@ -32,16 +32,11 @@ from neurosym.worlds.workers import Perform, Task, crew
 
 @dataclass(frozen=True, slots=True)
 class ExplorationConfig:
-    """How exploration goes on.
+    """How exploration goes on."""
 
-    Attributes:
-        candidates: How many actions are drawn to choose one from.
-        block: Interactions between two updates of the networks.
-        learning: How the networks of a curious strategy learn.
-    """
-
-    candidates: int = 2000
-    block: int = 512
+    candidates: int = 2000  # how many actions are drawn to choose one from
+    block: int = 512  # interactions between two updates of the networks
+    # how the networks of a curious strategy learn
     learning: LearningConfig = field(default_factory=LearningConfig)
 
     def __post_init__(self) -> None:
