@@ -9,6 +9,7 @@ import json
 import math
 import threading
 from collections.abc import Callable
+from contextlib import closing
 from functools import partial
 from pathlib import Path
 from typing import Any, get_type_hints
@@ -290,11 +291,8 @@ def describe_apart(name: str, folder: Path) -> dict[str, Any]:
     tell; what needs an option is not made.
     """
     search_here(folder)
-    process = Apart(name)
-    try:
+    with closing(Apart(name)) as process:
         options: dict[str, Any] = process.call("a first trial", _describe, name, folder)
-    finally:
-        process.close()
     return options
 
 
