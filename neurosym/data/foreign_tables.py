@@ -238,7 +238,7 @@ class _Chosen:
 
 def _chosen(table: Table, mapping: Roles, wanted: Sequence[str]) -> _Chosen:
     """Take columns of numbers from a table, as they are named in a mapping."""
-    names, parts = list[str](), list[np.ndarray]()
+    names, parts, rows = list[str](), list[np.ndarray](), len(next(iter(table.values())))
     for one in wanted:
         found = _column(table, one)
         if found.dtype.kind not in "fiub":
@@ -259,7 +259,7 @@ def _chosen(table: Table, mapping: Roles, wanted: Sequence[str]) -> _Chosen:
             is_single = found.shape[1] == 1 and not part
             names.append(own[0] if own else plain if is_single else f"{array}{first + number}")
         parts.append(found.astype(np.float64))
-    return _Chosen(names, np.concatenate(parts, axis=1) if parts else np.zeros((_rows(table), 0)))
+    return _Chosen(names, np.concatenate(parts, axis=1) if parts else np.zeros((rows, 0)))
 
 
 def _column(table: Table, name: str) -> np.ndarray:
@@ -298,10 +298,6 @@ def _paired(table: Table, mapping: Roles) -> tuple[Table, Roles]:
     return paired, msgspec.structs.replace(mapping, after=after, episode="")
 
 
-def _rows(table: Table) -> int:
-    return len(next(iter(table.values())))
-
-
 def _gathered(table: Table, mapping: Roles) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
     """Return the arrays of interactions, and their origin."""
     if not mapping.features:
@@ -321,8 +317,8 @@ def _gathered(table: Table, mapping: Roles) -> tuple[dict[str, np.ndarray], dict
         columns.append(marks)
     if mapping.effects:
         effects = _chosen(table, mapping, mapping.effects)
-        axes = axes_in(mapping.axes, effects.values.shape[1]) if mapping.axes else _named(effects.names)
-        changed = effects.values
+        named = mapping.axes or [{"name": legal_name(name)} for name in effects.names]
+        axes, changed = axes_in(named, effects.values.shape[1]), effects.values
     else:
         axes, changed = _changed(table, mapping, features)
     arrays = {"features": features.values, "actions": np.concatenate(columns, axis=1), "effects": changed}
@@ -384,7 +380,3 @@ def _changed(
         raise InvalidValue("Nothing differs between the features and what they became")
     effects = [axis.difference(after[:, n], now[:, n]) for axis, n in zip(axes, keep, strict=True)]
     return tuple(axes), np.stack(effects, axis=1)
-
-
-def _named(names: Sequence[str]) -> tuple[Axis, ...]:
-    return axes_in([{"name": legal_name(name)} for name in names])
