@@ -69,6 +69,7 @@ CANDIDATES = 8
 """How many candidates of a symbol are auditioned at most for a category."""
 _OBJECTS_TO_PREDICT = 40  # objects of the category on which the effects of every candidate are predicted
 _FEW, _SURE = 5, 0.1  # rehearsals of an operator that is hardly ever sure: less than so
+_CHOOSING = 0.6  # share of all performances that choose
 _CATEGORIES = 4  # for so many of which the objects to rehearse on are meant
 
 
@@ -92,7 +93,7 @@ def choose_own(
     every = [*contests.values()]
     with search.open_bar("auditioning for each category") as advance:
         perform = search.performer(world_factory, advance)
-        hold(every, perform, budget=search.for_choosing, least=LEAST_GAIN)
+        hold(every, perform, budget=int(_CHOOSING * search.budget), least=LEAST_GAIN)
     trust = trusted(every)
     usual, is_same = max(1, search.objects // _CATEGORIES), world_factory is search.shown
     for is_seen in (False, True):

@@ -17,7 +17,6 @@ from neurosym.world import Outcome, Scene, WorldFactory
 
 AUDITIONED, REHEARSED = "auditioned", "rehearsed"
 """What performances are for."""
-_CHOOSING = 0.6  # share of all performances that choose
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,11 +41,6 @@ class Search:
     def left(self) -> int:
         """How often actions may still perform."""
         return max(0, self.budget - self.ledger.spent)
-
-    @property
-    def for_choosing(self) -> int:
-        """How often candidates may perform, until one is chosen."""
-        return int(_CHOOSING * self.budget)
 
     def affordable(self, seen: Sequence[int], most: Sequence[int], share: float = 1.0) -> int:
         """Return in how many scenes each action can be rehearsed, or what is left is spent.
