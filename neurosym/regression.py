@@ -76,7 +76,7 @@ class Regression:
     def chances(self, at: Float[np.ndarray, "M F"], tolerance: float) -> Float[np.ndarray, "M"]:
         """Estimate the same for several objects; see `chance`."""
         kept = np.zeros(len(self.objects))
-        kept[self.is_kind] = self.keeps(tolerance)
+        kept[self.is_kind] = _keeps(self.misses, tolerance)
         deciding = np.array(self.choice.deciding)
         apart = _apart(self.objects * deciding, at * deciding)
         (last,) = _nearest(apart, (self.choice.neighbours,))
@@ -84,14 +84,10 @@ class Regression:
 
     def spreads(self, at: Float[np.ndarray, "F"]) -> Float[np.ndarray, "D"]:
         """Estimate by how much predictions for such objects miss where the promise is kept, RMS [m]."""
-        kept = self.keeps(TOLERANCE).astype(float)
+        kept = _keeps(self.misses, TOLERANCE).astype(float)
         near = _alike(_apart(self.objects[self.is_kind], at[None]), _LIKE)[:, 0]
         weights = near * kept + _PRIOR * kept / max(kept.sum(), 1.0) + 1e-12
         return np.asarray(np.sqrt(weights @ self.misses**2 / weights.sum()))
-
-    def keeps(self, tolerance: float) -> Bool[np.ndarray, "n"]:
-        """Say which of those that it is fitted to the others predict within a tolerance [m]."""
-        return _keeps(self.misses, tolerance)
 
 
 def fit(
