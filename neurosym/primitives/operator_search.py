@@ -218,12 +218,9 @@ def measured(search: Search, found: Rehearsals, share: float = 1.0) -> OperatorT
     return rehearse_unsure(search, table, share)
 
 
-def choose_carriers(
-    search: Search,
-    crowd: Callable[[WorldFactory], WorldFactory] = lambda factory: CrowdedFactory(factory, MARGIN),
-) -> Repertoire:
+def choose_carriers(search: Search) -> Repertoire:
     """Choose for each category and symbol the action that carries its objects most surely, among others."""
-    return choose_own(search, crowd(search.world_factory), foresee=foresee_carrying)
+    return choose_own(search, CrowdedFactory(search.world_factory, MARGIN), foresee=foresee_carrying)
 
 
 CARRYING = Method(
