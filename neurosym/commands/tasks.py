@@ -104,10 +104,13 @@ def new_problem(
     domain, by_hand = opened(folder), bool(goal or relation or like)
     if scene and (by_hand or task or turned or (objects, actions, seed) != (1, 1, 0)):
         raise InvalidValue(
-            "Give --scene, or --objects, --actions, --seed, --task, --goal and --relation, not both."
+            "Give --scene, or --objects, --actions, --seed, --task, --turned, --goal, --relation and --like, "
+            "not both."
         )
     if by_hand + bool(task) + (actions != 1) > 1:
-        raise InvalidValue("Give only one of --actions, --task, and goals by hand (--goal and --relation).")
+        raise InvalidValue(
+            "Give only one of --actions, --task, and goals by hand (--goal, --relation and --like)."
+        )
     if state is not None and task not in ("tower", "boxes", "unstack", "exchange"):
         raise InvalidValue("--state is for --task tower, boxes, unstack or exchange.")
     check_names((name,) if name is not None else ())
