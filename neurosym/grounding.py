@@ -90,6 +90,11 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True, ren
         if self.objects.axes != 3:
             axes = counted_axes(self.objects.axes)
             raise InvalidValue(f"The effects of a grounding have {axes}; valid: x, y and z.")
+        raised = self.upright
+        if raised and (raised.axes != 3 or any(one.frame != "side" for one in raised.operators)):
+            raise InvalidValue(
+                "What sets upright must have effects along x, y and z, and be of the frame side."
+            )
 
     @classmethod
     def _unreadable(cls, found: str | None) -> str:
@@ -241,7 +246,7 @@ def _decoded(path: Path, content: bytes) -> Grounding:
     parts = msgspec.structs.asdict(_File.decoded(path, content, remedy))
     tables = {name: parts[name] and parts[name].table() for name in ("places", "relations")}
     grounding = Grounding(**parts | tables)
-    learned = (grounding.objects, grounding.places, grounding.relations)
+    learned = (grounding.objects, grounding.places, grounding.relations, grounding.upright)
     lengths = {len(one.action) for table in learned if table for one in table.primitives}
     if len(lengths) > 1:
         found = " and ".join(map(str, sorted(lengths)))

@@ -91,6 +91,7 @@ def compile_domain(
             )
         if count > 1:
             raise InvalidValue(f"Two parts of the domain are called {one}; each needs a name of its own.")
+    upright = upright if upright and upright.operators else None
     usual = FORMAT_WITH_RELATIONS if relations else FORMAT_WITH_PLACES if places else FORMAT
     return Grounding(
         format=FORMAT_WITH_UPRIGHT if upright else usual,

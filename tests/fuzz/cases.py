@@ -22,7 +22,7 @@ READS = {
     "check": "interactions.npz",
     "train": "interactions.npz manifest.json",
     "distill": "*_model.safetensors interactions.npz world.toml manifest.json",
-    "compile-domain": "pr*.json world.toml manifest.json",
+    "compile-domain": "pr*.json upright/*.json world.toml manifest.json",
     "new-problem": "world.toml grounding.json effect_model.safetensors manifest.json problems/*.scene.json",
     "plan": "grounding.json problems/* world.toml effect_model.safetensors manifest.json",
     "execute": "grounding.json problems/*.scene.json plans/*.plan world.toml runs/*.json manifest.json",

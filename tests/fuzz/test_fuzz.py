@@ -13,6 +13,7 @@ from fuzz.cases import MORE, Case, Edit, as_json, drawn_case, from_json, read_se
 from fuzz.lines import ENDING, asks_for_much, command_line
 from fuzz.mutations import KINDS, MUTATIONS, mutated
 from fuzz.running import Ending, Runner, judge, runner
+from places import ROOT
 
 from neurosym.stages import layout
 
@@ -37,6 +38,8 @@ def seed(toy_folder, tmp_path_factory) -> Path:
     folder = Path(shutil.copytree(toy_folder, tmp_path_factory.mktemp("fuzz") / "toy"))
     for line in MORE:
         assert neurosym(*(word.format(folder) for word in line.split())) == 0
+    (folder / layout.UPRIGHT).mkdir()
+    shutil.copy(ROOT / "domains" / "places" / layout.UPRIGHT_OPERATORS, folder / layout.UPRIGHT_OPERATORS)
     return folder
 
 
