@@ -69,10 +69,7 @@ def lying(problem: Problem, grounding: Grounding) -> dict[str, Operator | None]:
 def as_raised(problem: Problem, grounding: Grounding) -> Problem:
     """Return a problem with what is to be set upright as it will stand then."""
     raised = {name: operator for name, operator in lying(problem, grounding).items() if operator}
-    objects = (
-        _raised(item, raised[item.name], grounding) if item.name in raised else item
-        for item in problem.objects
-    )
+    objects = (_raised(item, raised[item.name]) if item.name in raised else item for item in problem.objects)
     return msgspec.structs.replace(problem, objects=tuple(objects)) if raised else problem
 
 
@@ -89,11 +86,17 @@ def as_planned(problem: Problem, grounding: Grounding) -> Problem:
     return raised if objects == raised.objects else msgspec.structs.replace(raised, objects=objects)
 
 
-def _raised(item: SceneObject, operator: Operator, grounding: Grounding) -> SceneObject:
-    """Return an object as it will stand once an operator has set it upright."""
+def _raised(item: SceneObject, operator: Operator) -> SceneObject:
+    """Return an object as it will stand once an operator has set it upright: turned the shortest way."""
     assert operator.promise is not None, "only what promises something is chosen"
     position = vector(np.add(item.position, operator.promise.resting_effect))
-    return msgspec.structs.replace(item, position=position, orientation=_about(_turn(item, grounding)))
+    lies = np.array(item.orientation) / np.linalg.norm(item.orientation)
+    x, y, z = rotation(lies)[:, 2]  # where its top points
+    tip = np.array([y, -x, 0.0, 1 + z])  # the quaternion that turns it up
+    tip /= np.linalg.norm(tip)
+    axis = tip[3] * lies[:3] + lies[3] * tip[:3] + np.cross(tip[:3], lies[:3])
+    stands = (*vector(axis), float(tip[3] * lies[3] - tip[:3] @ lies[:3]))
+    return msgspec.structs.replace(item, position=position, orientation=stands)
 
 
 def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:

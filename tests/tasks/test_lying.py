@@ -23,7 +23,7 @@ from neurosym.primitives.uprighting import find_uprighting
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.conditions import unmet_conditions
 from neurosym.tasks.goal_choice import with_goals
-from neurosym.tasks.lying import SIDES, as_it_shows, as_planned, lying, side_of
+from neurosym.tasks.lying import SIDES, as_it_shows, as_planned, as_raised, lying, side_of
 from neurosym.tasks.task import understand
 from neurosym.tasks.transition import PlanStep, validate
 from neurosym.world import Outcome, Scene
@@ -138,6 +138,21 @@ def test_in_the_simulator_it_stands_and_then_comes_to_its_place():
     assert run.reached
     first = run.steps[0]
     assert (first.promised, first.happened) == ("resting", "resting")
+
+
+@pytest.mark.parametrize("quarter", [0.0, 90.0, 200.0])
+def test_what_will_stand_is_turned_the_shortest_way(quarter: float):
+    lies, half = fallen(side="00"), math.radians(quarter) / 2
+    (x, y, z, w), c, s = lies.objects[0].orientation, math.cos(half), math.sin(half)
+    turn = (c * x - s * y, c * y + s * x, c * z + s * w, c * w - s * z)  # about the vertical, after it fell
+    item = replace(lies.objects[0], orientation=turn)
+    (stands, _) = as_raised(
+        replace(lies, objects=(item, lies.objects[1]), upright=("item-01",)), LEARNED
+    ).objects
+    x, y, z, w = stands.orientation
+    assert (x, y) == pytest.approx((0.0, 0.0), abs=1e-9)
+    assert math.cos(2 * math.atan2(z, w) - 2 * half) == pytest.approx(1.0)
+    assert stands.position[2] == pytest.approx(0.025)
 
 
 def test_what_stands_is_not_set_upright():
