@@ -125,4 +125,4 @@
   (:action set-upright ; set ?o upright
     :parameters (?o - thing ?c - price)
     :precondition (and (ready) (hand-empty) (rights ?o ?c))
-    :effect (and (settled ?o) (increase (total-cost) (cost ?c)))))
+    :effect (and (not (rights ?o ?c)) (settled ?o) (increase (total-cost) (cost ?c)))))

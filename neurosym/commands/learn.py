@@ -259,9 +259,9 @@ def distill(
     workers: Workers = CPUS,
     choice: Choice = "own",
     upright: Annotated[
-        int,
+        Optional[int],
         arg(help="Only find what sets things upright that lie on a side, among so many random actions."),
-    ] = 0,
+    ] = None,
 ) -> int:
     """Turn action symbols into parameters and rehearse each: -> `primitives.json`.
 
@@ -278,7 +278,7 @@ def distill(
 
     check_count("interactions", interactions)
     domain, after = opened(folder), f"compile-domain {quoted(folder)}"
-    if upright:
+    if upright is not None:
         stage = upright_stage(domain, tries=upright, objects=objects, seed=seed, workers=workers)
         domain.perform(stage, again=True)
         show_righting(OperatorTable.load(domain / layout.UPRIGHT_OPERATORS))
@@ -357,8 +357,8 @@ def compile_domain(
         taken = f"{len(names) - len(left)} of {counted(len(names), 'problem')}"
         say(f"{folder / layout.DURATIVE_DOMAIN} takes {taken}")
         if left:
-            say("  left out, since not all can be carried to its goal, or something is to bear something, or")
-            say(f"  does so at first: {listed_briefly(left)}")
+            say("  left out, since not all can be carried to its goal, or something is to be set upright, or")
+            say(f"  to bear something, or does so at first: {listed_briefly(left)}")
     show_verdict(judge_domain(grounding))
     say_next(f"neurosym new-problem {quoted(folder)}")
     return 0

@@ -271,7 +271,7 @@ class _Running:
         x, y = self.aimed.place_named(step.place)
         off_x, off_y = promise.resting_effect[:2] if promise else (0.0, 0.0)
         asked = self.aimed.headings.get(step.object)
-        if asked is None or not is_at(step.object, (x, y), self.aimed):
+        if asked is None or not is_at(step.object, (x, y), understand(self.aimed, self.here.grounding).flat):
             return table.nearest(x - off_x, y - off_y)
         wanted, lies = math.radians(asked), self.here.scene.orientations[names.index(step.object)]
         turn = heading(lies) + heading_to(lies, wanted)

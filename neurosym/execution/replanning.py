@@ -332,6 +332,8 @@ def why_not_go_on(left: Sequence[PlanStep], seen: Problem, experience: Experienc
         return ""
     believed, grounding = experience.believed(seen)
     checked = validate([believed_name(step, believed, grounding) for step in left], believed, grounding)
+    if checked.valid and not left:
+        return "a condition does not hold, though every goal that was chosen for it is met"
     if checked.failed is None:
         return "" if checked.valid or _can_wait(left, checked, believed) else checked.reason
     step, why = learned_name(checked.failed[0]), checked.failed[1]

@@ -186,6 +186,7 @@ _RAISING = _Part(
         (set-upright ?o ?c) ; set ?o upright
             needs {_HAND_IS_FREE} (rights ?o ?c)
             adds (settled ?o)
+            deletes (rights ?o ?c)
             costs (cost ?c)
     """,
 )

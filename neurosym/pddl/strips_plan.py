@@ -111,6 +111,8 @@ class _Writer:
         """Write a step, which may be the last with its object."""
         name, task = step.object, self._task
         if task.grounding.operator_named(step.base).frame == "side":
+            if name not in self.now.lying:
+                raise InvalidValue(f"{name} need not be set upright, so the plan cannot be printed.")
             cost = step_cost(task.lying[name], task.grounding)
             self.actions.append(("set-upright", name, price_name(cost)))
         elif step.place:

@@ -251,7 +251,7 @@ def plan(
         check_on_table(item, grounding.table, off=NEAR_TABLE)
     _check_installed(chosen)
     if unknown := [name for name, operator in lie.items() if operator is None]:
-        reason = f"nothing that was learned sets {unknown[0]} upright as it lies"
+        reason = f"nothing that was learned sets {unknown[0]} upright as and where it lies"
         return PlanResult(PlanStatus.NOT_FOUND, (), 0.0, reason)
     raised = tuple(PlanStep(operator.name, name) for name, operator in lie.items() if operator)
     if raised and is_reached(problem, grounding):

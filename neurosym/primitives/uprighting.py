@@ -9,10 +9,10 @@ import numpy as np
 
 from neurosym.checks import Float, check_count, check_seed
 from neurosym.errors import Progress
-from neurosym.operators import MIN_CHANCE, TABLE_FORMAT, Operator, OperatorTable, Primitive, Symbol
+from neurosym.operators import MIN_CHANCE, TABLE_FORMAT, Operator, OperatorTable, Primitive, Rehearsal, Symbol
 from neurosym.pair_operators import extent
 from neurosym.primitives.ledger import Ledger
-from neurosym.primitives.rehearsal import sort_into_modes
+from neurosym.primitives.rehearsal import rounded, sort_into_modes
 from neurosym.primitives.sampling import draw_scene, perform_each
 from neurosym.tasks.lying import SIDES, righted, side_of
 from neurosym.world import ActionBox, Outcome, Scene, WorldFactory
@@ -117,6 +117,25 @@ def _share(outcomes: Sequence[Outcome]) -> float:
 
 
 def _operator(side: Symbol, outcomes: Sequence[Outcome]) -> Operator:
-    numbers = (np.array([getattr(one, name) for one in outcomes]) for name in _MEASURED)
-    modes, name = sort_into_modes([*map(righted, outcomes)], *numbers), f"set-upright-{SIDES[side]}-{side}"
-    return Operator(name, side, side, len(outcomes), modes, promised="resting", frame="side")
+    rehearsals = tuple(
+        Rehearsal(
+            righted(one),
+            rounded(one.effect),
+            rounded(one.resting_effect),
+            *rounded([one.peak_height]),
+            round(one.turn, 3),
+        )
+        for one in outcomes
+    )
+    numbers = (np.array([getattr(one, name) for one in rehearsals]) for name in _MEASURED)
+    return Operator(
+        name=f"set-upright-{SIDES[side]}-{side}",
+        subject=side,
+        primitive=side,
+        trials=len(outcomes),
+        outcomes=sort_into_modes([*map(righted, outcomes)], *numbers),
+        promised="resting",
+        rehearsals=rehearsals,
+        objects=tuple(rounded(one.start.features[one.target]) for one in outcomes),
+        frame="side",
+    )

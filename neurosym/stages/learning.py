@@ -453,6 +453,8 @@ def upright_stage(folder: DomainFolder, *, tries: int, objects: int, seed: int, 
             table = find_uprighting(
                 factory, tries=tries, objects=objects, seed=seed, ledger=ledger, progress=advance
             )
+        if not table.operators:
+            raise InvalidValue(f"None of {tries} actions set anything upright in this world; try more.")
         write_json(path, table)
 
     options = {"tries": tries, "objects": objects, "seed": seed}

@@ -39,6 +39,7 @@ _PLAIN = {"beside": "next-to", "apart-from": "apart-from", "lies-under": "under"
 """What people call learned states in which nothing is borne, by what their names begin with."""
 _AXES = "xyz"
 _OVERLAP = 0.005  # of the boxes of two objects that count as next to each other [m]
+_HANGING = 0.1  # what is higher above the table, and is borne by nothing, hangs on the hand [m]
 _HEADED = math.radians(15)  # how near an object must come to a heading [rad]
 _TERM = re.compile(r"([xyz]|heading)=(.*)")
 
@@ -217,7 +218,9 @@ class Sight:
         if clause.bounds:
             asked = {axis: ends for axis, ends in clause.bounds.items() if axis != "heading"}
             is_headed = "heading" not in clause.bounds or self.is_headed(name, clause.bounds["heading"][0])
-            return is_headed and self._is_within(self.places[name], asked)
+            lowest = self.places[name][2] - self.sizes[name][2] / 2
+            is_down = "z" in asked or name in self.supports or lowest < _HANGING
+            return is_headed and is_down and self._is_within(self.places[name], asked)
         if clause.word == "upright":
             return not side_of(self.lies[name], turned=False)
         if clause.word in BESIDE:

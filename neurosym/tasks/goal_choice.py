@@ -131,7 +131,7 @@ class _Choice:
             self._problem = msgspec.structs.replace(self._problem, upright=names)
             for name, operator in lying(self._problem, self._grounding).items():
                 if operator is None:
-                    raise InvalidValue(f"Nothing that was learned sets {name} upright as it lies.")
+                    raise InvalidValue(f"Nothing that was learned sets {name} upright as and where it lies.")
             self._sight = conditions.Sight(as_raised(self._problem, self._grounding), self._grounding)
 
     def _stay_borne(self, name: str) -> None:
@@ -166,6 +166,9 @@ class _Choice:
                 if axis != "heading"
             ]
             away = self._sight.gap(name, clause.other) if clause.other else math.hypot(*off)
+            if clause.word == "upright":
+                asked = msgspec.structs.replace(self._problem, upright=(name,))
+                away = float(None in lying(asked, self._grounding).values())
             is_busy = name in self._over or name in self._needs
             return not self._sight.holds_of(name, clause), is_busy, away, name
 

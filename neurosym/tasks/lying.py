@@ -13,9 +13,10 @@ import numpy as np
 
 from neurosym.checks import Bool, Float
 from neurosym.grounding import Grounding
-from neurosym.operators import Operator, Symbol, vector
+from neurosym.operators import TOLERANCE, Category, Operator, Symbol, vector
 from neurosym.pair_operators import rotation
 from neurosym.problems import Problem, SceneObject
+from neurosym.tasks.promises import LEAST_CHANCE, refined
 from neurosym.world import Outcome, OutcomeKind, heading, turned_by
 
 STRAIGHT = math.radians(15)
@@ -43,27 +44,41 @@ def righted(outcome: Outcome) -> OutcomeKind:
 
 
 def righting(item: SceneObject, grounding: Grounding) -> Operator | None:
-    """Return what sets an object upright that lies as it does, and how it moves it; None if nothing does."""
-    orientation = np.array(item.orientation)
-    side, turn = side_of(orientation, grounding.turned), _turn(item, grounding)
+    """Return what sets an object upright as it lies, as it promises for this object; None if nothing does."""
+    side = side_of(np.array(item.orientation), grounding.turned)
     known = grounding.upright.operators if grounding.upright else ()
-    operator = next((one for one in known if one.subject == side), None)
-    if operator is None or operator.promise is None:
+    learned = next((one for one in known if one.subject == side), None)
+    if learned is None:
         return None
-    x, y = turned_by(turn, np.array(operator.promise.resting_effect[:2])).tolist()
+    objects = Category(side, SIDES[side], 1.0, (), (), learned.objects)
+    operator = refined(learned, objects, item.features, TOLERANCE)
+    if (promise := operator.promise) is None or operator.successes < LEAST_CHANCE * operator.trials:
+        return None
+    x, y = turned_by(_turn(item, grounding), np.array(promise.resting_effect[:2])).tolist()
     by = (x, y, item.features[2] / 2 - item.position[2])
-    mode = msgspec.structs.replace(operator.promise, resting_effect=by)
-    others = (one for one in operator.outcomes if one is not operator.promise)
-    return msgspec.structs.replace(operator, outcomes=(mode, *others))
+    return msgspec.structs.replace(operator, outcomes=(msgspec.structs.replace(promise, resting_effect=by),))
 
 
 def lying(problem: Problem, grounding: Grounding) -> dict[str, Operator | None]:
-    """Return what sets each object upright that shall stand and does not, by its name; None if nothing."""
-    return {
-        name: righting(item, grounding)
-        for name in problem.upright
-        if side_of(np.array((item := problem.object_named(name)).orientation), turned=False)
-    }
+    """Return what sets each object upright that shall stand and does not, by its name; None if nothing can.
+
+    It must come to stand on the table, and in no other object.
+    """
+    found = dict[str, Operator | None]()
+    for name in problem.upright:
+        item = problem.object_named(name)
+        if side_of(np.array(item.orientation), turned=False):
+            operator = righting(item, grounding)
+            has_room = operator and _has_room(_raised(item, operator), problem, grounding)
+            found[name] = operator if has_room else None
+    return found
+
+
+def _has_room(item: SceneObject, problem: Problem, grounding: Grounding) -> bool:
+    others = [other for other in problem.objects if other.name != item.name]
+    away = np.abs([np.subtract(other.position, item.position)[:2] for other in others]).reshape(-1, 2)
+    apart = np.array([np.add(other.features[:2], item.features[:2]) / 2 for other in others]).reshape(-1, 2)
+    return grounding.table.contains(np.array(item.position)) and bool(np.all((away >= apart).any(1)))
 
 
 def as_raised(problem: Problem, grounding: Grounding) -> Problem:

@@ -84,7 +84,7 @@ def set_over(
     if known := [one for one in carrying_with(places, tuple(action)) if _carries(one)]:
         surest = max(known, key=lambda one: (one.subject == category, one.successes, one.name))
         learned = next(one for one in places.categories if one.symbol == surest.subject)
-        promise = _refined(surest, learned, features, TOLERANCE).promise
+        promise = refined(surest, learned, features, TOLERANCE).promise
         assert promise is not None, "it carries"
         aimed[-LAST_WAYPOINT:][:2] -= promise.resting_effect[:2]
     return aimed
@@ -141,7 +141,7 @@ def _promised(
 ) -> Mapping[str, Operator]:
     learned = grounding.category(category)
     own, is_known = grounding.operators_on(category), is_rehearsed(learned, features)
-    promises = (_refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own)
+    promises = (refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own)
     return MappingProxyType({one.name: _turned(one, turn) for one in promises})
 
 
@@ -162,7 +162,7 @@ def _plain(operator: Operator) -> Operator:
 
 
 @lru_cache(maxsize=16384)
-def _refined(
+def refined(
     operator: Operator, category: Category, features: tuple[float, ...], tolerance: float
 ) -> Operator:
     """Return an operator as it promises for an object of some features."""

@@ -202,7 +202,7 @@ def chance(task: Task, state: State, step: PlanStep) -> float:
         asked = ((one, other, task.state_named(name)) for one, other, name in task.problem.relations)
         odds = ASKED if goal in asked else 1.0
         return odds * put.chance / (1 - put.chance + odds * put.chance)
-    operator = promise_of(step, task.problem, task.grounding)
+    operator = _raising(task, step) or promise_of(step, task.problem, task.grounding)
     return chance_borne(operator) if step.object in state.supports else operator.chance
 
 
@@ -212,8 +212,14 @@ def cost(task: Task, state: State, step: PlanStep) -> int:
         return 0
     if put := _put(task, state, step):
         return put.cost(task.grounding)
-    operator = operator_for(step, task.problem, task.grounding)
+    operator = _raising(task, step) or operator_for(step, task.problem, task.grounding)
     return step_cost(operator, task.grounding, borne=step.object in state.supports)
+
+
+def _raising(task: Task, step: PlanStep) -> Operator | None:
+    """Return what sets the object of a step upright as it lies at first, if that is the step."""
+    operator = task.lying.get(step.object)
+    return operator if operator and operator.name == step.operator else None
 
 
 def operator_for(

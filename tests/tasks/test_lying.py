@@ -173,11 +173,13 @@ def test_what_lies_and_is_not_asked_counts_by_the_sizes_it_shows():
 
 def test_what_nothing_sets_upright_is_said():
     unknown = replace(LEARNED, upright=None)
-    with pytest.raises(InvalidValue, match="Nothing that was learned sets item-01 upright as it lies"):
+    with pytest.raises(
+        InvalidValue, match="Nothing that was learned sets item-01 upright as and where it lies"
+    ):
         with_goals(fallen("item-01 upright"), unknown)
     result = plan(replace(fallen(), upright=("item-01",)), unknown)
     assert not result.has_plan
-    assert result.reason == "nothing that was learned sets item-01 upright as it lies"
+    assert result.reason == "nothing that was learned sets item-01 upright as and where it lies"
 
 
 class Falling(ToyWorld):
