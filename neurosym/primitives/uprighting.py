@@ -122,7 +122,7 @@ def _operator(side: Symbol, outcomes: Sequence[Outcome]) -> Operator:
             righted(one),
             rounded(one.effect),
             rounded(one.resting_effect),
-            *rounded([one.peak_height]),
+            rounded([one.peak_height])[0],
             round(one.turn, 3),
         )
         for one in outcomes
