@@ -94,7 +94,7 @@ def fallen(*conditions: str, side: str = "10") -> Problem:
     axis, sign = {"00": (1, 1), "01": (1, -1), "10": (0, -1), "11": (0, 1)}[side]
     turn = [0.0, 0.0, 0.0, math.sqrt(0.5)]
     turn[axis] = sign * math.sqrt(0.5)
-    sizes = (0.06, 0.08, 0.05)
+    sizes = (0.14, 0.05, 0.04)
     high = sizes[1] if axis == 0 else sizes[0]
     first = SceneObject("item-01", "01", (*sizes, 0.0), (0.55, 0.1, high / 2), tuple(turn))
     second = SceneObject("item-02", "01", (0.06, 0.06, 0.05, 0.0), (0.75, -0.2, 0.025))
@@ -125,7 +125,7 @@ def test_what_lies_is_set_upright_first_by_any_planner(side: str, condition: str
 
 
 def test_in_the_simulator_it_stands_and_then_comes_to_its_place():
-    asked = with_goals(fallen("item-01 upright and item-01 at 0.6,-0.1"), LEARNED)
+    asked = with_goals(fallen("item-01 upright and item-01 at 0.6,-0.1", side="00"), LEARNED)
     assert [*unmet_conditions(asked, LEARNED)] == [*asked.conditions]
     world = read_world(PLACES / "world.toml")()
     run = execute(
@@ -152,7 +152,7 @@ def test_what_will_stand_is_turned_the_shortest_way(quarter: float):
     x, y, z, w = stands.orientation
     assert (x, y) == pytest.approx((0.0, 0.0), abs=1e-9)
     assert math.cos(2 * math.atan2(z, w) - 2 * half) == pytest.approx(1.0)
-    assert stands.position[2] == pytest.approx(0.025)
+    assert stands.position[2] == pytest.approx(0.02)
 
 
 def test_what_stands_is_not_set_upright():
@@ -167,7 +167,7 @@ def test_what_stands_is_not_set_upright():
 def test_what_lies_and_is_not_asked_counts_by_the_sizes_it_shows():
     asked = with_goals(fallen("item-02 at 0.5,-0.2"), LEARNED)
     task = understand(asked, LEARNED)
-    assert task.problem.object_named("item-01").features[:3] == (0.06, 0.05, 0.08)
+    assert task.problem.object_named("item-01").features[:3] == (0.14, 0.04, 0.05)
     assert "(rights" not in problem_text(asked, LEARNED)
 
 
@@ -180,6 +180,56 @@ def test_what_nothing_sets_upright_is_said():
     result = plan(replace(fallen(), upright=("item-01",)), unknown)
     assert not result.has_plan
     assert result.reason == "nothing that was learned sets item-01 upright as and where it lies"
+
+
+def moved(problem: Problem, **changes: object) -> Problem:
+    """Return a problem whose first object is another one."""
+    return replace(problem, objects=(replace(problem.objects[0], **changes), *problem.objects[1:]))
+
+
+def test_it_is_promised_what_like_objects_did():
+    flat, cube = (0.14, 0.05, 0.04, 0.0), (0.06, 0.06, 0.06, 0.0)
+    sure, unsure = (
+        lying(moved(replace(fallen(side="00"), upright=("item-01",)), features=sizes), LEARNED)["item-01"]
+        for sizes in (flat, cube)
+    )
+    assert sure is not None
+    assert sure.chance > 0.9
+    assert unsure is None
+
+
+@pytest.mark.parametrize("spot", [(0.37, 0.1), (0.82, -0.2)])
+def test_it_must_come_to_stand_on_the_table_and_in_nothing(spot: tuple[float, float]):
+    asked = moved(fallen("item-01 upright", side="00"), position=(*spot, 0.03))
+    with pytest.raises(InvalidValue, match="sets item-01 upright as and where it lies"):
+        with_goals(asked, LEARNED)
+
+
+def test_a_plan_in_short_names_what_sets_upright(tmp_path: Path):
+    asked = with_goals(fallen("item-01 upright"), LEARNED)
+    path, said = tmp_path / "short.plan", "(set-upright-{} {})\n"
+    assert parse_plan(said.format("left-10", "item-01"), path, LEARNED, asked) == plan(asked, LEARNED).steps
+    for step in (said.format("right-11", "item-01"), said.format("left-10", "item-02")):
+        steps = parse_plan(step, path, LEARNED, asked)
+        assert not validate(steps, asked, LEARNED).valid
+    with pytest.raises(InvalidValue, match="item-02 need not be set upright"):
+        ground_plan([PlanStep("set-upright-left-10", "item-02")], asked, LEARNED)
+
+
+def test_what_hangs_on_the_hand_is_not_where_it_shall_be():
+    asked = replace(fallen(), conditions=("item-02 at 0.75,-0.2",))
+    assert not [*unmet_conditions(asked, LEARNED)]
+    hangs = replace(asked.objects[1], position=(0.75, -0.2, 0.225))
+    assert [*unmet_conditions(replace(asked, objects=(asked.objects[0], hangs)), LEARNED)] == [
+        *asked.conditions
+    ]
+
+
+def test_of_some_those_are_set_upright_that_can_be():
+    first, second = fallen(side="10").objects
+    over = replace(second, orientation=(1.0, 0.0, 0.0, 0.0))
+    asked = replace(fallen(), objects=(first, over), conditions=("1 of item-02,item-01 upright",))
+    assert with_goals(asked, LEARNED).upright == ("item-01",)
 
 
 class Falling(ToyWorld):
