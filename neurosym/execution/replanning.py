@@ -17,7 +17,7 @@ from neurosym.pair_operators import rotation
 from neurosym.planners.planner import UNTOLD, Effort, PlanStatus
 from neurosym.planners.registry import Replanner
 from neurosym.problems import Problem, SceneObject, pair_key
-from neurosym.tasks.lying import STRAIGHT, as_it_shows, lying
+from neurosym.tasks.lying import STRAIGHT, as_it_shows, lying, righted
 from neurosym.tasks.options import PUT_DOWN, put_named
 from neurosym.tasks.promises import LEAST_CHANCE, promised
 from neurosym.tasks.task import is_reached, is_relational, understand, unmet_relations
@@ -74,6 +74,7 @@ class Experience:
     _forgotten: dict[_Key, list[_Seen]] = field(default_factory=dict)
     _kept: dict[_Key, list[bool]] = field(default_factory=dict)
     _patience: int = GIVEN_UP
+    _let_lie: Counter[_Key] = field(default_factory=Counter)  # how often an operator let an object lie
 
     def hoping_again(self, problem: Problem) -> "Experience":
         """Forget what was seen, but for what failed and would mostly do so again as objects lie now.
@@ -91,12 +92,13 @@ class Experience:
                     kept[key] = rows
         forgotten = {key: rows for key, rows in every.items() if key not in kept}
         patience = LAST_HOPE if self._kept else self._patience
-        return Experience(self.grounding, kept, forgotten, self._kept, patience)
+        return Experience(self.grounding, kept, forgotten, self._kept, patience, self._let_lie)
 
     def learn(self, step: PlanStep, outcome: Outcome) -> None:
         """Remember what a step did, by its learned name."""
         operator = self.grounding.operator_named(step.base)
-        if operator.frame == "side":  # it lies otherwise now, or is tried again
+        if operator.frame == "side":
+            self._let_lie[step.object, operator.name] += righted(outcome) != "resting"
             return
         if operator.frame == "pair":
             put = put_named(step.operator, self.grounding)
@@ -122,6 +124,9 @@ class Experience:
         only the goals are left that were chosen for them. Returned are the problem with these categories, and
         the grounding that has them.
         """
+        given_up = {name for (name, _), times in self._let_lie.items() if times >= GIVEN_UP}
+        upright = tuple(name for name in problem.upright if name not in given_up)
+        problem = msgspec.structs.replace(problem, upright=upright)
         known, lie = {name for name, _ in self._seen}, lying(problem, self.grounding)
         objects, categories, operators = [], list[Category](), list[Operator]()
         for lies in problem.objects:
@@ -380,7 +385,8 @@ def new_plan(
             effort.spend(result.work or UNTOLD)
             if result.status is PlanStatus.SOLVED:
                 steps = tuple(learned_name(step) for step in result.steps)
-                return NewPlan(steps, task, believing, "" if task is seen else reason)
+                said = "" if steps else "nothing that was learned is left to be tried"
+                return NewPlan(steps, task, believing, said if task is seen else reason)
             reason = reason or result.reason or result.status.value
     return NewPlan((), seen, believing, reason)
 

@@ -13,6 +13,7 @@ from validators import unified_planning_accepts
 
 from neurosym.errors import InvalidValue
 from neurosym.execution.executor import execute
+from neurosym.execution.replanning import Experience
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator, OperatorTable
 from neurosym.pddl.compiler import domain_text, ground_plan, problem_text
@@ -252,3 +253,16 @@ def test_of_what_sets_things_upright_the_best_is_rehearsed_for_each_side():
     assert all(one.action[2] > 0.01 for one in table.primitives)
     none = find_uprighting(ToyWorld, tries=8, objects=4, seed=3, ledger=Ledger())
     assert none.operators == ()
+
+
+def test_what_does_not_come_to_stand_is_let_lie_after_two_failures():
+    asked = with_goals(fallen("item-01 upright", side="00"), LEARNED)
+    experience, (step,) = Experience(LEARNED), plan(asked, LEARNED).steps
+    start = asked.scene()
+    failed = Outcome(
+        start=start, lifted=start, end=start, target=0, held=False, toppled=False, lost=False, peak_height=0.0
+    )
+    for upright in (("item-01",), ("item-01",), ()):
+        assert experience.believed(asked)[0].upright == upright
+        experience.learn(step, failed)
+    assert experience.hoping_again(asked).believed(asked)[0].upright == ()
