@@ -484,6 +484,8 @@ def is_reached(problem: Problem, grounding: Grounding) -> bool:
     """Say whether all goals are met as the objects stand now; or all conditions, if these are asked for."""
     if problem.conditions:
         return not any(unmet_conditions(problem, grounding))
+    if lying(problem, grounding):
+        return False
     return problem.is_met(problem.scene().positions) and not unmet_relations(problem, grounding)
 
 

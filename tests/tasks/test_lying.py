@@ -25,7 +25,7 @@ from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.conditions import unmet_conditions
 from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.lying import SIDES, as_it_shows, as_planned, as_raised, lying, side_of
-from neurosym.tasks.task import understand
+from neurosym.tasks.task import is_reached, understand
 from neurosym.tasks.transition import PlanStep, validate
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.toy import ToyWorld
@@ -196,6 +196,9 @@ def test_it_is_promised_what_like_objects_did():
     )
     assert sure is not None
     assert sure.chance > 0.9
+    asked = moved(replace(fallen(side="00"), upright=("item-01",)), features=flat)
+    assert not is_reached(asked, LEARNED)
+    assert is_reached(as_raised(asked, LEARNED), LEARNED)
     assert unsure is None
 
 
