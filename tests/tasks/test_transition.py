@@ -101,12 +101,12 @@ def test_a_task_is_understood_once(domain: str, name: str, monkeypatch: pytest.M
             module, function, lambda *given, of=function, do=real: called.append(of) or do(*given)
         )
     promises._promised.cache_clear()
-    promises._refined.cache_clear()
+    promises.refined.cache_clear()
     found = plan(problem, grounding)
     assert problem_text(problem, grounding, plans=[ground_plan(found.steps, problem, grounding)])
     assert validate(found.steps, problem, grounding).valid
     assert 0 < expected_success(found.steps, problem, grounding) <= 1
-    objects, refined = len(problem.objects), promises._refined.cache_info()
+    objects, refined = len(problem.objects), promises.refined.cache_info()
     assert called.count("goal_spots") == 1
     assert called.count("describe_pair") in (0, objects * (objects - 1))
     assert called.count("nearest_kinds") <= 1
