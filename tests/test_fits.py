@@ -44,7 +44,7 @@ def path(tmp_path: Path) -> Path:
 def told(path: Path) -> str:
     """What operators of a grounding promise for an object, read and fitted anew."""
     promises._regression.cache_clear()
-    promises._refined.cache_clear()
+    promises.refined.cache_clear()
     promises._promised.cache_clear()
     module._decoded.cache_clear()
     return repr(dict(promised(Grounding.load(path), BLOCK)))
