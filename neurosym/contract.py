@@ -1,9 +1,9 @@
 """What every world promises, checked at each of its answers; with its limits, motions and poses."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol, TypeVar, get_args, runtime_checkable
 
 import numpy as np
@@ -206,7 +206,8 @@ def is_number(value: Any) -> bool:
 
 
 def _plain_scene(scene: Scene) -> Scene:
-    return Scene(np.array(scene.features), np.array(scene.positions), np.array(scene.orientations))
+    columns = (np.array(column) for column in (scene.features, scene.positions, scene.orientations))
+    return Scene(*columns, unseen=np.array(scene.unseen))
 
 
 def _plain_outcome(outcome: Outcome) -> Outcome:
@@ -341,6 +342,8 @@ class ObjectLimits:
     sizes: tuple[Range, Range, Range]  # least and greatest size along each axis [m]
     types: tuple[float, ...]  # the types there are
     most: int | None = None  # how many one scene can be simulated with; None if there is no limit
+    # least and greatest value of what no feature shows, by name; see `Scene.unseen`
+    unseen: Mapping[str, Range] = field(default_factory=dict)
 
     def too_many(self, objects: int) -> str:
         """Say if there are more objects than can be simulated, or nothing."""
@@ -361,6 +364,17 @@ class ObjectLimits:
         if number not in self.types:
             valid = ", ".join(f"{known:g}" for known in self.types)
             raise InvalidValue(f"{item} has {name} = {number:g}; valid: {valid}.")
+
+    def check_unseen(self, item: str, unseen: Sequence[float]) -> None:
+        """Raise `InvalidValue` unless there are objects of which this is not seen; it may be nothing."""
+        if unseen and len(unseen) != len(self.unseen):
+            named = ", ".join(self.unseen) or "none"
+            raise InvalidValue(f"{item} has {len(unseen)} unseen numbers; valid: {named}.")
+        for (name, (least, greatest)), number in zip(self.unseen.items(), unseen, strict=False):
+            if not least <= number <= greatest:
+                raise InvalidValue(
+                    f"{item} has unseen {name} = {number:g}; valid: {least:g} to {greatest:g}."
+                )
 
 
 def limits_of(world: World) -> ObjectLimits | None:
@@ -445,5 +459,5 @@ class Posed(Protocol):
     def robot_at_rest(self) -> Float[np.ndarray, "L 7"]:
         """Return the poses of the robot's links while it waits; see `Pose.links`."""
 
-    def object_parts(self, features: Float[np.ndarray, "F"]) -> tuple[Part, ...]:
-        """Return what an object of such features is drawn with."""
+    def object_parts(self, features: Float[np.ndarray, "F"], *unseen: Sequence[float]) -> tuple[Part, ...]:
+        """Return what an object of such features is drawn with; given is what is not seen, if anything is."""

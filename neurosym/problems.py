@@ -10,11 +10,11 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from neurosym.checks import Float, as_path, check_fields, check_kind
+from neurosym.checks import Document, Float, as_path, check_fields, check_kind
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import decode_json, read_json, write_json
 from neurosym.operators import TOLERANCE, Length, Share, Symbol, Vector
-from neurosym.world import Scene, Table
+from neurosym.world import OutcomeKind, Scene, Table
 
 RelationGoal = tuple[str, str, str]
 """Names of the target and of the reference, and the name or symbol of the state of the pair."""
@@ -93,6 +93,18 @@ ROUNDED = 1e-9
 """What binary numbers make of a sum of decimal ones, at most: 0.14 + 0.04 is no more than 0.18 [m]."""
 
 
+class Trial(Document, frozen=True, omit_defaults=True):
+    """What became of an object when something was done to it; see `neurosym.tasks.pasts`."""
+
+    motion: str  #: Which motion was performed, as operators are labelled
+    kind: OutcomeKind  #: How the object ended
+    effect: Vector  #: Its displacement at the end of the rise, as motions are turned with it [m]
+    resting_effect: Vector  #: And once everything was put down [m]
+    lay: tuple[float, float, float, float]  #: Its orientation before, as a quaternion (x, y, z, w)
+    crowded: bool = False  #: Whether other objects were in the way
+    forgotten: bool = False  #: Whether it counts only against hoping for what it shows to fail
+
+
 class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One object of a scene."""
 
@@ -102,6 +114,10 @@ class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     position: Vector  #: Its centre in the world frame [m]
     #: Its orientation in the world frame, as a quaternion (x, y, z, w)
     orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+    #: What only the world knows of it, and nothing that plans does; see `Scene`
+    unseen: tuple[float, ...] | msgspec.UnsetType = msgspec.UNSET
+    #: What it was seen to do while it lay as it does now
+    past: tuple[Trial, ...] | msgspec.UnsetType = msgspec.UNSET
 
     def __post_init__(self) -> None:
         check_fields(self)
@@ -197,8 +213,13 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
 
     def scene(self) -> Scene:
         """Return the scene that the problem starts from."""
-        columns = zip(*((one.features, one.position, one.orientation) for one in self.objects), strict=True)
-        return Scene(*(np.array(column, dtype=float) for column in columns))
+        rows = ((one.features, one.position, one.orientation) for one in self.objects)
+        unseen = [() if one.unseen is msgspec.UNSET else one.unseen for one in self.objects]
+        columns = [np.array(column, dtype=float) for column in zip(*rows, strict=True)]
+        known = np.zeros((len(unseen), max(map(len, unseen), default=0)))
+        for row, values in zip(known, unseen, strict=True):
+            row[: len(values)] = values
+        return Scene(*columns, unseen=known)
 
     def goal_positions(self) -> Float[np.ndarray, "M 3"]:
         """Return where each object shall come to be [m], NaN for an object without a goal."""

@@ -3,7 +3,7 @@
 import math
 import reprlib
 from collections.abc import Callable, Collection, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import cycle, islice
 from typing import Any, Literal, Protocol, TypeGuard, runtime_checkable
 
@@ -241,6 +241,9 @@ FrameSink = Callable[[Frame, str], None]
 """Takes a picture of the motion and the name of the phase it belongs to (`waypoint 1`, `rise`, ...)."""
 
 
+_NOTHING = np.zeros((0, 0))
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Scene:
     """The objects on the table, at one moment."""
@@ -250,6 +253,12 @@ class Scene:
     positions: Float[np.ndarray, "M 3"]  #: Centre of each object in the world frame [m]
     #: Orientation of each object in the world frame, as a quaternion (x, y, z, w)
     orientations: Float[np.ndarray, "M 4"]
+    #: What only the world knows of each object, as it names that itself; mostly no column at all
+    unseen: Float[np.ndarray, "M U"] = field(default_factory=lambda: _NOTHING, kw_only=True)
+
+    def __post_init__(self) -> None:
+        if self.unseen is _NOTHING:
+            object.__setattr__(self, "unseen", np.zeros((len(self.features), 0)))
 
     def __len__(self) -> int:
         return len(self.features)

@@ -22,7 +22,6 @@ from neurosym.execution.replanning import (
     NEARER,
     PATIENCE,
     Experience,
-    believed_name,
     new_plan,
     usual_replans,
     usual_work,
@@ -125,8 +124,9 @@ def _check_run(world: World, problem: Problem, grounding: Grounding, plan: Seque
     if limits := limits_of(world):
         if reason := limits.too_many(len(problem.objects)):
             raise InvalidValue(f"The problem {problem.name} cannot be executed: {reason}.")
-        for item in problem.objects:
+        for item, unseen in zip(problem.objects, problem.scene().unseen.tolist(), strict=True):
             limits.check(item.name, item.features)
+            limits.check_unseen(item.name, unseen)
 
 
 class _Running:
@@ -184,8 +184,8 @@ class _Running:
         self._put_down()
         seen = self._asked_now()
         if is_drawn:
-            believed, known = self.experience.believed(msgspec.structs.replace(seen, places={}))
-            seen = msgspec.structs.replace(seen, places=understand(believed, known).places)
+            believed = self.experience.believed(msgspec.structs.replace(seen, places={}))
+            seen = msgspec.structs.replace(seen, places=understand(believed, self.here.grounding).places)
         new = new_plan(replanner, seen, self.experience, self.effort)
         self.experience = new.experience
         steps = named_steps(new.steps)
@@ -266,8 +266,8 @@ class _Running:
             return None
         if step.place in names:
             return OtherObject(names.index(step.place))
-        believed, grounding = self.experience.believed(self.here.now(self.aimed))
-        promise = promise_of(believed_name(step, believed, grounding), believed, grounding).promise
+        believed = self.experience.believed(self.here.now(self.aimed))
+        promise = promise_of(step, believed, self.here.grounding).promise
         x, y = self.aimed.place_named(step.place)
         off_x, off_y = promise.resting_effect[:2] if promise else (0.0, 0.0)
         asked = self.aimed.headings.get(step.object)

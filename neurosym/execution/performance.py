@@ -96,7 +96,7 @@ def nudged(scene: Scene, nudge: Nudge, problem: Problem) -> Scene:
     """Return a scene of a problem's objects after a nudge."""
     positions = scene.positions.copy()
     positions[problem.object_names.index(nudge.object)] += nudge.by
-    return Scene(scene.features, positions, scene.orientations)
+    return replace(scene, positions=positions)
 
 
 def perform(
@@ -179,7 +179,7 @@ class Situation:
                 # What carries promises nothing of heights: what was borne counts as if it stood on the table.
                 start, positions = outcome.start, outcome.start.positions.copy()
                 positions[outcome.target, 2] = extent(start, outcome.target)[2] / 2
-                outcome = replace(outcome, start=Scene(start.features, positions, start.orientations))
+                outcome = replace(outcome, start=replace(start, positions=positions))
         told = record_step(step, self.problem, self.grounding, outcome, scene=self.scene, put_down=put_down)
         return told, outcome
 

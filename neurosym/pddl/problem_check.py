@@ -42,9 +42,10 @@ def check_problem(problem: Problem, grounding: Grounding | None, limits: ObjectL
     Without a grounding, table and categories are not checked; without limits, how objects are and stand.
     """
     bearers = known_bearers(problem, grounding.relations) if grounding and grounding.relations else {}
-    for item in problem.objects:
+    for item, unseen in zip(problem.objects, problem.scene().unseen.tolist(), strict=True):
         if limits:
             limits.check(item.name, item.features)
+            limits.check_unseen(item.name, unseen)
             if not abs((length := math.hypot(*item.orientation)) - 1) <= OFF_UNIT:
                 raise InvalidValue(
                     f"{item.name} has an orientation of length {length:g}; valid: a quaternion (x, y, z, w) "

@@ -37,7 +37,8 @@ from neurosym.primitives.rehearsal import Rehearsals, rehearsal_sample, rounded
 from neurosym.primitives.reliability import end_state
 from neurosym.primitives.sampling import Repertoire, perform_each, tasks_of, with_own
 from neurosym.primitives.search import REHEARSED, Search
-from neurosym.tasks.promises import LEAST_CHANCE, carrying_with, set_over
+from neurosym.tasks.pasts import LEAST_CHANCE
+from neurosym.tasks.promises import carrying_with, set_over
 from neurosym.world import OtherObject, Outcome, Scene
 from neurosym.worlds.aims import TARGET, RelatedScene, as_pair, taken
 from neurosym.worlds.workers import Task

@@ -6,7 +6,7 @@ never averaged together, since the mean of "on the table" and "in the air" is a 
 """
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import compress
 
@@ -497,8 +497,10 @@ def _occupied(scene: Scene, other: Scene) -> AimedScene | None:
     room = (scene.features[0, :2] + other.features[0, :2]) / 2
     if np.all(np.abs(scene.positions[0, :2] - centre[0, :2]) < room + GAP):
         return None
-    every = joined([scene, Scene(other.features, centre, other.orientations)])
-    return AimedScene(every.features, every.positions, every.orientations, scene.reference)
+    every = joined([scene, replace(other, positions=centre)])
+    return AimedScene(
+        every.features, every.positions, every.orientations, scene.reference, unseen=every.unseen
+    )
 
 
 def _stands_there(operator: Operator, outcome: Outcome) -> bool:

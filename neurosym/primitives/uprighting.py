@@ -4,6 +4,7 @@ No network is asked, since few actions do so at all.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -95,8 +96,8 @@ def laid(scene: Scene, side: Symbol) -> Scene:
     orientation, positions = np.zeros((1, 4)), scene.positions.copy()
     axis, is_along = int(side[0]), side in ("00", "11")
     orientation[0, [1 - axis, 3]] = np.sqrt(0.5) * (1 if is_along else -1), np.sqrt(0.5)
-    positions[0, 2] = extent(Scene(scene.features, positions, orientation), 0)[2] / 2
-    return Scene(scene.features, positions, orientation)
+    positions[0, 2] = extent(replace(scene, positions=positions, orientations=orientation), 0)[2] / 2
+    return replace(scene, positions=positions, orientations=orientation)
 
 
 def _in_mirror(

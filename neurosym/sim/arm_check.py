@@ -12,7 +12,6 @@ import numpy as np
 from neurosym.checks import Float
 from neurosym.errors import InvalidArm
 from neurosym.sim.config import (
-    SOLID,
     TOOL_DOWN,
     Arm,
     Client,
@@ -25,6 +24,7 @@ from neurosym.sim.config import (
 from neurosym.sim.interaction import MARGIN, Interaction
 from neurosym.sim.numeric_inverse import forward, read_chain
 from neurosym.sim.robot import LOWEST_TOOL_POINT
+from neurosym.sim.shapes import SOLID
 from neurosym.sim.simulation import Simulation
 from neurosym.world import Scene
 

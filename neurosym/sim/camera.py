@@ -1,7 +1,6 @@
 """Pictures of the simulation, rendered without a screen, or a window that shows it live."""
 
 import ctypes
-import math
 import sys
 import time
 from collections.abc import Callable, Container, Sequence
@@ -12,9 +11,9 @@ import numpy as np
 from neurosym.checks import Float
 from neurosym.contract import POSE_SECONDS, Part, PartKind, Pose, PoseSink
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import Arm, Client, TabletopConfig, boxes_of, loaded, pybullet
+from neurosym.sim.config import Arm, Client, TabletopConfig, loaded, pybullet
 from neurosym.sim.robot import Robot
-from neurosym.sim.simulation import Simulation
+from neurosym.sim.simulation import Simulation, built, shape_array
 from neurosym.world import DOT_COLOURS, Frame, Painter, draw_dots, painted
 
 Colour = tuple[float, float, float, float]
@@ -138,14 +137,9 @@ class Camera:
         if self._centres is None:
             return
         for index in np.flatnonzero(np.all(np.isfinite(self._centres), axis=1)).tolist():
-            boxes = boxes_of(self._scene.features[index], self._simulation.config.wall)
-            shape = client.createVisualShapeArray(
-                shapeTypes=[pybullet.GEOM_BOX] * len(boxes),
-                halfExtents=[list(half) for half, _, _ in boxes],
-                visualFramePositions=[list(centre) for _, centre, _ in boxes],
-                visualFrameOrientations=[pybullet.getQuaternionFromEuler((0, 0, turn)) for *_, turn in boxes],
-                rgbaColors=[list(colours[index])] * len(boxes),
-            )
+            body = built(self._scene, index, self._simulation.config)
+            colour = {"rgbaColors": [list(colours[index])] * len(body.parts)}
+            shape = client.createVisualShapeArray(**shape_array(body, "visual"), **colour)
             pose = self._centres[index].tolist(), self._scene.orientations[index].tolist()
             client.createMultiBody(0, -1, shape, *pose)
 
@@ -276,15 +270,6 @@ def _links(body: int, client: Client) -> Float[np.ndarray, "L 7"]:
     frame = pybullet.multiplyTransforms(*base, *pybullet.invertTransform(*inertial))
     states = client.getLinkStates(body, [*range(client.getNumJoints(body))])
     return np.array([[*place, *turn] for place, turn in (frame, *(state[4:6] for state in states))])
-
-
-def object_parts(features: Float[np.ndarray, "F"], wall: float) -> tuple[Part, ...]:
-    """Return the boxes that an object of these features is drawn with, its walls so thick [m]."""
-    boxes = (
-        (tuple(2 * edge for edge in half), centre, (0.0, 0.0, math.sin(turn / 2), math.cos(turn / 2)))
-        for half, centre, turn in boxes_of(features, wall)
-    )
-    return tuple(Part("box", *box) for box in boxes)
 
 
 def robot_parts(arm: Arm) -> tuple[Part, ...]:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
-from itertools import pairwise, product
+from itertools import product
 from pathlib import Path
 from threading import Lock
 from typing import Any
@@ -17,9 +17,10 @@ from xml.etree import ElementTree
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.contract import ObjectLimits, Range
+from neurosym.contract import ObjectLimits
 from neurosym.errors import InvalidArm, InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import read_text
+from neurosym.sim.shapes import FEATURE_NAMES, LEARNED_SHAPES, SHAPES, UNSEEN
 from neurosym.world import Table
 
 # PyBullet, imported without the build time that its C code prints to standard error on every import.
@@ -70,68 +71,6 @@ def overheard(words: list[str]) -> Iterator[None]:
             words.append(file.read().decode(errors="replace"))
 
 
-# The objects: boxes, open-topped boxes, planks and rings, built from their features (s_x, s_y, d, t)
-
-FEATURE_NAMES = ("s_x", "s_y", "d", "t")
-"""Size along x, size along y, height [m], and type: 0 solid, 1 open at the top, 2 open at both ends."""
-SOLID, OPEN_TOP, OPEN_THROUGH = 0.0, 1.0, 2.0
-RING_SEGMENTS = 12
-
-Box = tuple[tuple[float, float, float], tuple[float, float, float], float]
-"""Half extents [m], centre in the object's frame [m], and turn about the object's z axis [rad]."""
-
-
-def boxes_of(features: Float[np.ndarray, "F"], wall: float) -> list[Box]:
-    """List the boxes that an object of these features is built from, with walls and floors so thick [m]."""
-    x, y, z = (float(size) / 2 for size in features[:3])
-    t, middle = wall / 2, (0.0, 0.0, 0.0)
-    if features[3] < (SOLID + OPEN_TOP) / 2:
-        return [((x, y, z), middle, 0.0)]
-    if features[3] < (OPEN_TOP + OPEN_THROUGH) / 2:
-        return [
-            ((x, y, t), (0.0, 0.0, t - z), 0.0),
-            ((t, y, z - t), (x - t, 0.0, t), 0.0),
-            ((t, y, z - t), (t - x, 0.0, t), 0.0),
-            ((x - 2 * t, t, z - t), (0.0, y - t, t), 0.0),
-            ((x - 2 * t, t, z - t), (0.0, t - y, t), 0.0),
-        ]
-    angles = np.linspace(0, 2 * math.pi, RING_SEGMENTS + 1).tolist()  # a ring, or an ellipse
-    corners = [np.array([(x - t) * math.cos(angle), (y - t) * math.sin(angle)]) for angle in angles]
-    boxes: list[Box] = []
-    for start, end in pairwise(corners):
-        (middle_x, middle_y), along = ((start + end) / 2).tolist(), end - start
-        half = float(np.linalg.norm(along)) / 2
-        boxes.append(((half, t, z), (middle_x, middle_y, 0.0), math.atan2(along[1], along[0])))
-    return boxes
-
-
-SHAPES = {"box": SOLID, "open-box": OPEN_TOP, "plank": SOLID, "ring": OPEN_THROUGH}
-"""The type of each shape."""
-
-
-def draw_features(rng: np.random.Generator, shape: str, size: Range, height: Range) -> tuple[float, ...]:
-    """Draw what an object of one of the `SHAPES` is, from the ranges of sizes and heights [m].
-
-    A plank is a flat solid box, one side in the upper half of the sizes and the other in the lowest quarter;
-    a ring is round, in the upper half of the sizes and the lower half of the heights.
-    """
-
-    def drawn(whole: Range, low: float = 0.0, high: float = 1.0) -> float:
-        """Draw from the part of a range between two shares of its length."""
-        least, greatest = whole
-        return rng.uniform(least + low * (greatest - least), least + high * (greatest - least))
-
-    if shape == "ring":
-        diameter = drawn(size, 0.5)
-        return diameter, diameter, drawn(height, high=0.5), OPEN_THROUGH
-    if shape == "plank":
-        sides = [drawn(size, 0.5), drawn(size, high=0.25)]
-        if rng.random() < 0.5:
-            sides.reverse()
-        return *sides, drawn(height, high=0.25), SOLID
-    return rng.uniform(*size), rng.uniform(*size), rng.uniform(*height), SHAPES[shape]
-
-
 _POSITIVE = ("size", "height", "wall", "mass", "friction", "lift_height", "time_step", "frame_every")
 _NOT_NEGATIVE = ("spawn_margin", "spawn_gap")
 MOST_OBJECTS = 8
@@ -149,7 +88,8 @@ class TabletopConfig:
         spawn_gap: Objects start at least this far apart [m].
         size: Least and greatest s_x and s_y [m].
         height: Least and greatest d [m].
-        shapes: How often an object is of each shape, relative to the others; see `SHAPES`.
+        shapes: How often an object is of each shape, relative to the others; see
+            `neurosym.sim.shapes`.
         wall: Thickness of the walls and floors of open objects [m].
         mass: Mass of every object [kg].
         friction: Lateral friction of objects; the table's is 0.6, a finger's 0.9, and the products count.
@@ -164,7 +104,7 @@ class TabletopConfig:
     spawn_gap: float = 0.04
     size: tuple[float, float] = (0.03, 0.18)
     height: tuple[float, float] = (0.02, 0.10)
-    shapes: dict[str, float] = field(default_factory=lambda: dict.fromkeys(SHAPES, 1.0))
+    shapes: dict[str, float] = field(default_factory=lambda: dict.fromkeys(LEARNED_SHAPES, 1.0))
     wall: float = 0.006
     mass: float = 0.1
     friction: float = 0.8
@@ -206,7 +146,7 @@ class TabletopConfig:
         """Which objects the world makes."""
         types = {SHAPES[name] for name, share in self.shapes.items() if share > 0}
         sizes = self.size, self.size, self.height
-        return ObjectLimits(FEATURE_NAMES, sizes, tuple(sorted(types)), MOST_OBJECTS)
+        return ObjectLimits(FEATURE_NAMES, sizes, tuple(sorted(types)), MOST_OBJECTS, UNSEEN)
 
     @property
     def table(self) -> Table:

@@ -18,8 +18,9 @@ import numpy as np
 from neurosym.checks import Float
 from neurosym.contract import CLEARANCE, GRASP_TEST, LOWERING_SPEED, TRANSIT_CLEARANCE, PoseSink
 from neurosym.sim.camera import Camera, Poser
-from neurosym.sim.config import OPEN_THROUGH, OPEN_TOP, Arm, pybullet
+from neurosym.sim.config import Arm, pybullet
 from neurosym.sim.robot import LOWEST_TOOL_POINT, Robot, hand_boxes
+from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP
 from neurosym.sim.simulation import Simulation
 from neurosym.world import (
     Disturbance,

@@ -1,15 +1,19 @@
 """A fresh PyBullet simulation of one scene: table, objects, and what can be seen of them."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
 from neurosym.checks import Float
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import Client, TabletopConfig, boxes_of, draw_features, pybullet
+from neurosym.sim.config import Client, TabletopConfig, pybullet
+from neurosym.sim.shapes import UNSEEN, Body, body_of, draw_object
 from neurosym.world import Scene
 
 TABLE_FRICTION = 0.6
+ROLLING_FRICTION = 0.001
+"""Of balls, that would else roll for ever."""
 REST_SPEED = 2e-3
 """Objects count as at rest below this speed [m/s]."""
 REST_TIME, SETTLE_LIMIT = 0.05, 2.0
@@ -25,12 +29,13 @@ class Simulation:
     """
 
     def __init__(self, client: Client, config: TabletopConfig, scene: Scene):
-        self.client, self.config, self.features = client, config, scene.features
+        self.client, self.config, self.features, self.unseen = client, config, scene.features, scene.unseen
         self.after_step: Callable[[], None] | None = None
         self.ticks = 0
         self._reset()
         self.table = self._make_table()
         self._boxes: list[tuple[np.ndarray, np.ndarray]] = []  # in the object's frame: middles, half sizes
+        self._centres = np.zeros((len(scene), 3))  # of mass, in the objects' frames [m]
         self.bodies = [self._make_object(scene, index) for index in range(len(scene))]
 
     def _reset(self) -> None:
@@ -50,20 +55,19 @@ class Simulation:
         return int(table)
 
     def _make_object(self, scene: Scene, index: int) -> int:
-        boxes = boxes_of(scene.features[index], self.config.wall)
-        halves, centres, turns = (np.array(column) for column in zip(*boxes, strict=True))
-        (x, y, z), cos, sin = halves.T, np.abs(np.cos(turns)), np.abs(np.sin(turns))
-        self._boxes.append((centres, np.stack([cos * x + sin * y, sin * x + cos * y, z], axis=1)))
-        shape = self.client.createCollisionShapeArray(
-            shapeTypes=[pybullet.GEOM_BOX] * len(boxes),
-            halfExtents=[list(half) for half, _, _ in boxes],
-            collisionFramePositions=[list(centre) for _, centre, _ in boxes],
-            collisionFrameOrientations=[pybullet.getQuaternionFromEuler((0, 0, turn)) for *_, turn in boxes],
-        )
+        made = built(scene, index, self.config)
+        self._boxes.append(_around(made))
+        self._centres[index] = made.centre_of_mass
+        shape = self.client.createCollisionShapeArray(**shape_array(made, "collision"))
         pose = scene.positions[index].tolist(), scene.orientations[index].tolist()
-        body = self.client.createMultiBody(self.config.mass, shape, -1, *pose)
+        offset = {"baseInertialFramePosition": made.centre_of_mass} if any(made.centre_of_mass) else {}
+        body = self.client.createMultiBody(made.mass, shape, -1, *pose, **offset)
         self.client.changeDynamics(
-            body, -1, lateralFriction=self.config.friction, spinningFriction=0.002, rollingFriction=0.0
+            body,
+            -1,
+            lateralFriction=made.friction,
+            spinningFriction=0.002,
+            rollingFriction=ROLLING_FRICTION if made.rolls else 0.0,
         )
         return int(body)
 
@@ -94,23 +98,31 @@ class Simulation:
 
     def observe(self) -> Scene:
         """Return where everything is now."""
-        poses = [self.client.getBasePositionAndOrientation(body) for body in self.bodies]
+        poses = [self._pose(index) for index in range(len(self.bodies))]
         return Scene(
             features=self.features,
             positions=np.array([position for position, _ in poses]),
             orientations=np.array([orientation for _, orientation in poses]),
+            unseen=self.unseen,
         )
+
+    def _pose(self, index: int) -> tuple[Sequence[float], Sequence[float]]:
+        """Return where the middle of an object is [m], and its orientation; PyBullet tells of its mass."""
+        position, orientation = self.client.getBasePositionAndOrientation(self.bodies[index])
+        if self._centres[index].any():
+            turned = np.array(pybullet.getMatrixFromQuaternion(orientation)).reshape(3, 3)
+            position = (position - turned @ self._centres[index]).tolist()
+        return position, orientation
 
     def height_of(self, index: int) -> float:
         """Return the height of an object's centre [m]."""
-        position, _ = self.client.getBasePositionAndOrientation(self.bodies[index])
-        return float(position[2])
+        return float(self._pose(index)[0][2])
 
     def boxes(self) -> Float[np.ndarray, "B 2 3"]:
         """Return least and greatest corners of what is around each box that objects are built from [m]."""
         found = []
-        for body, (centres, halves) in zip(self.bodies, self._boxes, strict=True):
-            position, orientation = self.client.getBasePositionAndOrientation(body)
+        for index, (centres, halves) in enumerate(self._boxes):
+            position, orientation = self._pose(index)
             turned = np.array(pybullet.getMatrixFromQuaternion(orientation)).reshape(3, 3).T
             middles, around = position + centres @ turned, halves @ np.abs(turned)
             found.append(np.stack([middles - around, middles + around], axis=1))
@@ -120,6 +132,36 @@ class Simulation:
         """Return the bodies that a body touches."""
         contacts = self.client.getContactPoints(body)
         return {contact[2] for contact in contacts} - {body}
+
+
+def built(scene: Scene, index: int, config: TabletopConfig) -> Body:
+    """Say what an object of a scene is built from in a world."""
+    unseen = scene.unseen[index].tolist()
+    like = {"wall": config.wall, "mass": config.mass, "friction": config.friction}
+    return body_of(scene.features[index], unseen, **like)
+
+
+def shape_array(body: Body, use: str) -> dict[str, Any]:
+    """Return what PyBullet makes the shape of a body from, to collide with or to be seen (`visual`)."""
+    kinds = {"box": pybullet.GEOM_BOX, "sphere": pybullet.GEOM_SPHERE}
+    return {
+        "shapeTypes": [kinds[part.kind] for part in body.parts],
+        "halfExtents": [[edge / 2 for edge in (part.size * 3)[:3]] for part in body.parts],
+        "radii": [part.size[0] for part in body.parts],
+        f"{use}FramePositions": [list(part.position) for part in body.parts],
+        f"{use}FrameOrientations": [list(part.orientation) for part in body.parts],
+    }
+
+
+def _around(body: Body) -> tuple[Float[np.ndarray, "B 3"], Float[np.ndarray, "B 3"]]:
+    """Return middles and half sizes of boxes around the parts of a body, in its frame [m]."""
+    middles, halves = [], []
+    for part in body.parts:
+        turned = np.abs(np.array(pybullet.getMatrixFromQuaternion(part.orientation)).reshape(3, 3))
+        half = [part.size[0]] * 3 if part.kind == "sphere" else [edge / 2 for edge in part.size]
+        middles.append(part.position)
+        halves.append(turned @ half)
+    return np.array(middles), np.array(halves)
 
 
 # Scenes drawn at random: objects of every shape and size, at rest and apart from one another
@@ -139,21 +181,22 @@ def sample_scene(config: TabletopConfig, rng: np.random.Generator, objects: int)
     if objects < 1:
         raise InvalidValue(f"A scene needs at least one object, not {objects}.")
     for _ in range(_DRAWS):
-        features = sample_features(config, rng, objects)
+        features, unseen = sample_objects(config, rng, objects)
         places = _sample_places(config, rng, features[:, :2] / 2)
         if places is not None:
             return Scene(
                 features=features,
                 positions=np.column_stack([places, features[:, 2] / 2]),
                 orientations=np.tile([0.0, 0.0, 0.0, 1.0], (objects, 1)),
+                unseen=unseen,
             )
     raise InvalidValue(f"{objects} objects do not fit on the table; ask for fewer.")
 
 
-def sample_features(
+def sample_objects(
     config: TabletopConfig, rng: np.random.Generator, objects: int
-) -> Float[np.ndarray, "{objects} 4"]:
-    """Draw what the objects are: s_x, s_y, d [m] and t.
+) -> tuple[Float[np.ndarray, "{objects} 4"], Float[np.ndarray, "{objects} U"]]:
+    """Draw what the objects are: s_x, s_y, d [m] and t, and what is not seen of them, if there is anything.
 
     Args:
         config: The world.
@@ -163,7 +206,11 @@ def sample_features(
     names = list(config.shapes)
     shares = np.array([config.shapes[name] for name in names])
     drawn = rng.choice(len(names), size=objects, p=shares / shares.sum())
-    return np.array([draw_features(rng, names[shape], config.size, config.height) for shape in drawn])
+    rows = [draw_object(rng, names[shape], config.size, config.height) for shape in drawn]
+    unseen = np.zeros((objects, len(UNSEEN) if any(number for _, number in rows) else 0))
+    if unseen.size:
+        unseen[:, 0] = [number for _, number in rows]
+    return np.array([features for features, _ in rows]), unseen
 
 
 def _sample_places(

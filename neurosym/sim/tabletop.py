@@ -1,6 +1,6 @@
 """The tabletop world: an arm plays with objects in PyBullet."""
 
-from collections.abc import Container
+from collections.abc import Container, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -10,9 +10,8 @@ from neurosym.checks import Float
 from neurosym.contract import Part, PoseSink
 from neurosym.errors import InvalidValue
 from neurosym.sim.arm_check import check_arm, check_lift
-from neurosym.sim.camera import Camera, links_at_rest, object_parts, open_window, robot_parts
+from neurosym.sim.camera import Camera, links_at_rest, open_window, robot_parts
 from neurosym.sim.config import (
-    FEATURE_NAMES,
     MOST_OBJECTS,
     Arm,
     Client,
@@ -22,6 +21,7 @@ from neurosym.sim.config import (
 )
 from neurosym.sim.interaction import Interaction
 from neurosym.sim.robot import UR10
+from neurosym.sim.shapes import FEATURE_NAMES, body_of
 from neurosym.sim.simulation import Simulation, sample_scene
 from neurosym.world import (
     Frame,
@@ -90,6 +90,8 @@ class Tabletop:
         check_action(self, scene, action, target, reference)
         if not scene.features[:, :3].min() > 0:
             raise InvalidValue("An object of the scene has a size that is not greater than 0.")
+        for unseen in scene.unseen.tolist():
+            self.object_limits.check_unseen("An object of the scene", unseen)
         if len(scene) > MOST_OBJECTS:
             raise InvalidValue(
                 f"The scene has {len(scene)} objects; the simulator takes at most {MOST_OBJECTS}, "
@@ -130,9 +132,10 @@ class Tabletop:
         nothing = Scene(np.zeros((0, len(FEATURE_NAMES))), np.zeros((0, 3)), np.zeros((0, 4)))
         return links_at_rest(Simulation(self.client(), self.config, nothing), self.arm)
 
-    def object_parts(self, features: Float[np.ndarray, "F"]) -> tuple[Part, ...]:
+    def object_parts(self, features: Float[np.ndarray, "F"], *unseen: Sequence[float]) -> tuple[Part, ...]:
         """Return what an object is drawn with (see `Posed.object_parts`)."""
-        return object_parts(features, self.config.wall)
+        c = self.config
+        return body_of(features, *(unseen or ((),)), wall=c.wall, mass=c.mass, friction=c.friction).parts
 
     def open_window(self) -> None:
         """Show everything that happens from now on live in a window (see `Windowed.open_window`)."""

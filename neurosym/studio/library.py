@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
 
+import msgspec
 import numpy as np
 
 from neurosym.checks import Float
@@ -14,7 +15,7 @@ from neurosym.execution.record import Run
 from neurosym.files import read_json
 from neurosym.grounding import Grounding
 from neurosym.operators import Symbol
-from neurosym.problems import Problem
+from neurosym.problems import Problem, SceneObject
 from neurosym.report.symbol_map import Atlas, atlas_of
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import GROUNDING, INTERACTIONS, RECORD, RUNS, WORLD
@@ -152,10 +153,12 @@ class Library:
         records = (self.folder / RUNS).glob(f"*{RECORD}")
         return tuple(sorted(path.name.removesuffix(RECORD) for path in records))
 
-    def object_parts(self, features: Sequence[float]) -> tuple[Part, ...]:
+    def object_parts(self, item: SceneObject) -> tuple[Part, ...]:
         """Return what an object is drawn with; by its sizes a box, maybe open, if the world does not say."""
+        features = item.features
         if isinstance(self.world, Posed):
-            return self.world.object_parts(np.array(features, dtype=float))
+            unseen = () if item.unseen is msgspec.UNSET else (item.unseen,)
+            return self.world.object_parts(np.array(features, dtype=float), *unseen)
         x, y, z = (float(size) for size in features[:3])
         if len(features) < 4 or features[3] < _HOLLOW:
             return (Part("box", (x, y, z)),)

@@ -3,6 +3,7 @@
 import math
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from multiprocessing.connection import Connection
 from typing import Any, NamedTuple
 
@@ -176,7 +177,7 @@ class Onlooker:
         """Send what a step did."""
         if not self._saw:
             ends = np.array([record.positions[name] for name in self._names])
-            self._glide(self._rest, Scene(self._rest.features, ends, self._rest.orientations))
+            self._glide(self._rest, replace(self._rest, positions=ends))
         self._send(record)
 
     def see_outcome(self, outcome: Outcome) -> None:

@@ -423,7 +423,7 @@ class Running:
                 self.run, self.records = said.run, list(said.run.steps)
                 if self.moment and said.run.ended == "lost":  # no step is asked for after that
                     before, ends = self.moment.scene, np.array([*self.records[-1].positions.values()])
-                    scene = Scene(before.features, ends, before.orientations)
+                    scene = replace(before, positions=ends)
                     self.moment = replace(self.moment, scene=scene)
             self.ticket = None
         word = _ran(said) if isinstance(said, Ran) else said if said.text else Word(self.tally())

@@ -8,6 +8,7 @@ pause, go on, a nudge, stop.
 import threading
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +29,7 @@ from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage, scene_stage
 from neurosym.studio.messages import Controls, Onlooker, Planned, Ran, Tried, Word
-from neurosym.world import Outcome, Scene
+from neurosym.world import Outcome
 from neurosym.worlds.processes import Child, ChildEnded, parent
 from neurosym.worlds.world_file import read_world
 
@@ -233,7 +234,7 @@ def try_often(
             break
         positions = scene.positions.copy()
         positions[target, :2] += np.random.default_rng([TRIES, number]).uniform(-_SHIFT, _SHIFT, 2)
-        moved = Scene(scene.features, positions, scene.orientations)
+        moved = replace(scene, positions=positions)
         parent().send(Tried.of(world.interact(moved, np.array(action), target)))
     return Word()
 

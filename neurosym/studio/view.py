@@ -298,7 +298,7 @@ class View:
         self._objects, self._goals, self._labels = {}, {}, {}
         self.items = problem.objects
         for item in problem.objects:
-            name, body = item.name, self._library.object_parts(item.features)
+            name, body = item.name, self._library.object_parts(item)
             colour = self.palette(item.category)
             frame = self._frame(f"/objects/{name}")
             node = self._mesh(f"/objects/{name}/body", body, colour)
@@ -337,7 +337,7 @@ class View:
     def show_start(self, tried: Tried) -> None:
         """Draw a ghost of an object where a motion found it."""
         item = self.items[tried.target]
-        parts, colour = self._library.object_parts(item.features), self.palette(item.category)
+        parts, colour = self._library.object_parts(item), self.palette(item.category)
         frame = self._frame("/start")
         _put(frame, tried.start, tried.turn)
         self._start = [self._mesh("/start/ghost", parts, colour, opacity=0.35, cast_shadow=False)]
@@ -407,7 +407,7 @@ class View:
     def _ghost(self, item: SceneObject, colour: Colour, tolerance: float) -> _Thing:
         """Draw a ghost, the knob on its pin that it is dragged by, its footprint and its tolerance."""
         scene, path, (x, y, z) = self._scene, f"/goals/{item.name}", np.array(item.features[:3]) / 2
-        frame, parts = self._frame(path), self._library.object_parts(item.features)
+        frame, parts = self._frame(path), self._library.object_parts(item)
         nodes = [
             self._mesh(f"{path}/ghost", parts, colour, opacity=0.35, cast_shadow=False),
             scene.add_icosphere(f"{path}/knob", _KNOB, colour, position=(0.0, 0.0, z + _PIN)),

@@ -14,7 +14,8 @@ from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import ANY_KIND, TOLERANCE, Mode, Operator, Symbol
 from neurosym.pair_operators import FAINT, Case, PairState
 from neurosym.problems import Problem, SceneObject, pair_key
-from neurosym.tasks.promises import LEAST_CHANCE, carrying_with, promised, usable
+from neurosym.tasks.pasts import LEAST_CHANCE
+from neurosym.tasks.promises import carrying_with, promised, usable
 
 # What is done to an object by itself: every live operator as a displacement, and what it costs
 

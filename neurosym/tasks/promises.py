@@ -17,16 +17,11 @@ import numpy as np
 from neurosym.checks import Float
 from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, vector
-from neurosym.problems import SceneObject
+from neurosym.problems import SceneObject, Trial
 from neurosym.regression import Choice, Regression, fit, found_for
+from neurosym.tasks.pasts import LEAST_CHANCE, as_it_lies, promised_after
 from neurosym.world import heading, turned_by
 
-LEAST_CHANCE = 0.25
-"""Operators that keep their promise more rarely with such an object are not planned with.
-
-Whether it is kept is mostly the object's doing, so that trying again does not help. Such low chances are said
-too high, too: of promises said to be kept in 10 to 25 %, 9 % were (`docs/planning.md`, "The chance").
-"""
 _LEAST_REHEARSALS = 8  # with fewer that ended as promised, nothing is refined
 LAST_WAYPOINT = 4
 """So many numbers of an action are its last waypoint, which is relative to what it is aimed at."""
@@ -38,12 +33,13 @@ def promised(grounding: Grounding, item: SceneObject, tolerance: float = TOLERAN
     """Return the operators of an object's category as they promise for this object, by name.
 
     Each has the name, the category and the primitive of the operator that was learned, and no rehearsals.
-    Objects that are unlike all that were rehearsed are promised what their category is. An outcome that comes
-    within the tolerance of the promise has kept it [m]. Where motions are turned as objects lie, so is what
-    they promise.
+    Objects that are unlike all that were rehearsed are promised what their category is, and those with a past
+    what that tells. An outcome that comes within the tolerance of the promise has kept it [m]. Where motions
+    are turned as objects lie, so is what they promise.
     """
     turn = heading(np.array(item.orientation)) if grounding.turned else 0.0
-    return _promised(grounding, item.category, item.features, tolerance, turn)
+    past = as_it_lies(item, grounding.turned)
+    return _promised(grounding, item.category, item.features, tolerance, turn, past)
 
 
 def usable(grounding: Grounding, item: SceneObject, tolerance: float = TOLERANCE) -> tuple[Operator, ...]:
@@ -137,12 +133,19 @@ def is_rehearsed(category: Category, features: Sequence[float]) -> bool:
 
 @lru_cache(maxsize=256)
 def _promised(
-    grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float, turn: float
+    grounding: Grounding,
+    category: str,
+    features: tuple[float, ...],
+    tolerance: float,
+    turn: float,
+    past: tuple[Trial, ...],
 ) -> Mapping[str, Operator]:
     learned = grounding.category(category)
     own, is_known = grounding.operators_on(category), is_rehearsed(learned, features)
     promises = (refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own)
-    return MappingProxyType({one.name: _turned(one, turn) for one in promises})
+    found = {one.name: one for one in promises}
+    found = promised_after(found, past, tolerance) if past else found
+    return MappingProxyType({name: _turned(one, turn) for name, one in found.items()})
 
 
 def _turned(operator: Operator, angle: float) -> Operator:

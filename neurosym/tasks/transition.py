@@ -22,7 +22,6 @@ from neurosym.tasks.options import PUT_DOWN, Put, chance_borne, put_named, step_
 from neurosym.tasks.promises import promised
 from neurosym.tasks.supports import Borne, carried_along, chain_below, loads_of
 from neurosym.tasks.task import START, Task, is_within, overlapping, understand
-from neurosym.world import Scene
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,7 +157,7 @@ def apply(task: Task, state: State, step: PlanStep) -> State:
         there.pop(target, None)
     if put:
         other = task.names.index(step.place)
-        now = Scene(scene.features, state.positions, scene.orientations)
+        now = replace(scene, positions=state.positions)
         halves = (extent(now, row) + extent(now, other)) / 2
         spot = state.positions[other] + np.array(put.end.effect) * halves
         supports[target] = Borne(step.place, put.state)

@@ -4,7 +4,7 @@ What explores, auditions and rehearses without knowing of references does so her
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -67,7 +67,7 @@ class Aimed(Adapted):
         """Draw a scene, and then a place anywhere on the table, where an object may stand."""
         scene, table, margin = self._world.sample_scene(rng, objects), self._world.table, self._margin
         x, y = (float(rng.uniform(low + margin, high - margin)) for low, high in (table.x, table.y))
-        return AimedScene(*_columns(scene), Place(x, y))
+        return AimedScene(reference=Place(x, y), **_columns(scene))
 
     def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
         """Perform an action that is aimed at what the scene says; see `World.interact`."""
@@ -99,7 +99,7 @@ PAIR_AXES = 6
 """Axes of the effect of an action that is aimed at another object: where the target ends relative to it along
 x, y and z [touching units], whether they touch, how far it is tilted, and 1, if it was carried there; else
 zeros."""
-_COLUMNS = ("features", "positions", "orientations")
+_COLUMNS = ("features", "positions", "orientations", "unseen")
 OBJECTS = (2, 4)
 """How many objects a scene has, at least and at most."""
 WIDEST_BELOW = 0.5
@@ -201,8 +201,9 @@ class Related(Adapted):
         if not memory:
             return
         ends = np.cumsum(memory["objects"])[:-1]
-        columns = [np.split(memory[name], ends) for name in _COLUMNS]
-        self.archive = [Scene(*rows) for rows in zip(*columns, strict=True)]
+        columns = {name: np.split(memory[name], ends) for name in _COLUMNS if name in memory}
+        rows = zip(*columns.values(), strict=True)
+        self.archive = [Scene(**dict(zip(columns, row, strict=True))) for row in rows]
 
 
 @dataclass(frozen=True, slots=True)
@@ -235,7 +236,7 @@ def taken(scene: Scene, order: Sequence[int] | np.ndarray) -> Scene:
         scene: The objects.
         order: Which come first.
     """
-    return Scene(*(column[np.array(order, dtype=int)] for column in _columns(scene)))
+    return Scene(**{name: column[np.array(order, dtype=int)] for name, column in _columns(scene).items()})
 
 
 # Worlds in which other objects stand close around each that an action is tried on.
@@ -265,12 +266,13 @@ class Crowded(Aimed):
         scene = super().sample_scene(rng, objects)
         drawn = (super(Crowded, self).sample_scene(rng, 1) for _ in _SIDES)
         around = _around(scene, [*drawn], self._world.table, rng)
-        return CrowdedScene(*_columns(scene), scene.reference, around)
+        return CrowdedScene(reference=scene.reference, neighbours=around, **_columns(scene))
 
     def interact(self, scene: Scene, action: Float[np.ndarray, "A"], target: int, **options: Any) -> Outcome:
         """Perform an action among neighbours; see `Aimed.interact`."""
         if isinstance(scene, CrowdedScene):
-            scene = AimedScene(*_columns(joined([scene, scene.neighbours])), scene.reference)
+            around = joined([scene, scene.neighbours])
+            scene = AimedScene(reference=scene.reference, **_columns(around))
         return super().interact(scene, action, target, **options)
 
 
@@ -297,7 +299,7 @@ def _around(scene: AimedScene, others: list[AimedScene], table: Table, rng: np.r
         is_free = all(np.any(np.abs(position[:2] - at) > size + wide + gap) for at, wide, gap in boxes)
         if table.contains(position) and is_free:
             boxes.append((position[:2], size, _APART))
-            kept.append(Scene(other.features, position[None], other.orientations))
+            kept.append(replace(taken(other, [0]), positions=position[None]))
     return joined(kept)
 
 
@@ -307,11 +309,12 @@ def joined(scenes: Sequence[Scene]) -> Scene:
     Args:
         scenes: The scenes, at least one.
     """
-    return Scene(*map(np.concatenate, zip(*map(_columns, scenes), strict=True)))
+    columns = [*map(_columns, scenes)]
+    return Scene(**{name: np.concatenate([one[name] for one in columns]) for name in _COLUMNS})
 
 
-def _columns(scene: Scene) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    return scene.features, scene.positions, scene.orientations
+def _columns(scene: Scene) -> dict[str, np.ndarray]:
+    return {name: getattr(scene, name) for name in _COLUMNS}
 
 
 # Motions that are known to carry an object to a place, to be tried with other objects as references.

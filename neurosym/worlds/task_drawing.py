@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any, get_args
 
 import msgspec
@@ -176,7 +177,11 @@ def items_of(scene: Scene, categorise: Categorise) -> tuple[SceneObject, ...]:
     """
     symbols, features = symbols_of(categorise, scene.features), scene.features.tolist()
     rows = zip(item_names(len(scene)), symbols, map(tuple, features), strict=True)
-    return standing([SceneObject(*row, (0.0, 0.0, 0.0)) for row in rows], scene)
+    items = [SceneObject(*row, (0.0, 0.0, 0.0)) for row in rows]
+    if scene.unseen.size:
+        known = zip(items, scene.unseen.tolist(), strict=True)
+        items = [msgspec.structs.replace(item, unseen=tuple(unseen)) for item, unseen in known]
+    return standing(items, scene)
 
 
 def standing(items: Sequence[SceneObject], scene: Scene) -> tuple[SceneObject, ...]:
@@ -264,7 +269,9 @@ def draw_task(
             starts, goals = _PLACES[kind](rng, scene.features[:, :2], world.table)
             heights = scene.positions[:, 2:]
             turns = np.tile([0.0, 0.0, 0.0, 1.0], (objects, 1))
-            items = items_of(Scene(scene.features, np.hstack([starts, heights]), turns), categorise)
+            items = items_of(
+                replace(scene, positions=np.hstack([starts, heights]), orientations=turns), categorise
+            )
             ends = map(vector, np.hstack([goals, heights]))
             goals_of = dict(zip(item_names(objects), ends, strict=True))
             told = f"{kind}, drawn with seed {seed}; draw {draw + 1}"

@@ -20,7 +20,7 @@ four kinds of object can be told apart by what happens to them (can it be graspe
 two bits, and six kinds of action (lift, four pushes, nothing), which is three.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -245,4 +245,4 @@ def _push(size: Float[np.ndarray, "F"], waypoints: Float[np.ndarray, "3 4"]) -> 
 def _moved(scene: Scene, target: int, shift: Float[np.ndarray, "3"]) -> Scene:
     positions = scene.positions.copy()
     positions[target] += shift
-    return Scene(scene.features, positions, scene.orientations)
+    return replace(scene, positions=positions)

@@ -71,7 +71,7 @@ def let_down(scene: Scene, target: int, spot: Float[np.ndarray, "2"]) -> Scene:
         there[0] = scene.positions[under[0]][0] + (reach if away[0, 0] >= 0 else -reach)
     positions = scene.positions.copy()
     positions[sorted(moved)] += np.array([*there, height + half[2]]) - positions[target]
-    return Scene(scene.features, positions, scene.orientations)
+    return dataclasses.replace(scene, positions=positions)
 
 
 def loads_on(scene: Scene, target: int) -> tuple[int, ...]:

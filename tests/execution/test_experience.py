@@ -5,13 +5,15 @@ import math
 
 import numpy as np
 import pytest
+from msgspec import UNSET
 from msgspec.structs import replace
 from tables import grounding, problem
 
-from neurosym.execution.replanning import Experience, believed_name, learned_name
+from neurosym.execution.replanning import Experience
 from neurosym.grounding import Grounding, is_lift
 from neurosym.operators import Operator
 from neurosym.problems import Problem
+from neurosym.tasks.promises import promised, usable
 from neurosym.tasks.transition import PlanStep
 from neurosym.world import Outcome, Scene
 
@@ -42,23 +44,23 @@ def after(step: PlanStep, *outcomes: Outcome, learned: Grounding | None = None) 
 
 def own(experience: Experience, step: PlanStep = LIFT, task: Problem | None = None) -> Operator:
     """What is believed of a step's operator with its object."""
-    _, learned = experience.believed(task or problem())
-    return learned.operator_named(f"{step.operator}-of-{step.object}")
+    item = experience.believed(task or problem()).object_named(step.object)
+    return promised(experience.grounding, item)[step.operator]
 
 
 def gives_up(experience: Experience) -> bool:
     """Whether the lift is not tried again."""
-    return "lift-010-block-of-item-01" in experience.believed(problem())[1].left_out
+    item = experience.believed(problem()).object_named(LIFT.object)
+    return LIFT.operator not in [one.name for one in usable(experience.grounding, item)]
 
 
-def test_object_that_was_acted_upon_gets_a_category_of_its_own():
+def test_object_that_was_acted_upon_is_promised_what_it_did():
     experience = after(PUSH, outcome((0.0, 0.07, 0.0)))
-    believed, learned = experience.believed(problem())
-    assert [thing.category for thing in believed.objects] == ["00-of-item-01", "11"]
     before = grounding().operator_named(PUSH.operator)
-    assert 0.07 < learned.displacement(own(experience, PUSH))[1] < grounding().displacement(before)[1]
+    assert 0.07 < grounding().displacement(own(experience, PUSH))[1] < grounding().displacement(before)[1]
     assert own(experience, PUSH).successes > before.successes
-    assert learned.operator_named(PUSH.operator) == before
+    other = replace(experience.believed(problem()).object_named(PUSH.object), past=UNSET)
+    assert promised(grounding(), other)[PUSH.operator] == before
 
 
 def test_the_more_is_seen_the_less_counts_what_was_promised():
@@ -79,8 +81,8 @@ def test_what_failed_twice_in_a_row_is_not_tried_again():
     assert gives_up(hoping)
     assert own(hoping, PUSH).successes == grounding().operator_named(PUSH.operator).successes
     again = once.hoping_again(problem())
-    unseen = Experience(grounding()).believed(problem())
-    assert again.believed(problem()) == unseen == (problem(), grounding())
+    assert own(again).outcomes == grounding().operator_named(LIFT.operator).outcomes
+    assert Experience(grounding()).believed(problem()) == problem()
     again.learn(LIFT, NOTHING)
     assert gives_up(again.hoping_again(problem()))
 
@@ -105,19 +107,6 @@ def test_a_failure_says_less_where_others_were_in_the_way():
     before = grounding().operator_named(LIFT.operator)
     chances = [one.successes / one.trials for one in (alone, crowded, before)]
     assert chances[0] < 0.6 * chances[1] < 0.6 * chances[2]
-
-
-def test_names_of_steps_lead_there_and_back():
-    experience = Experience(grounding())
-    experience.learn(PUSH, outcome((0.0, 0.04, 0.0)))
-    believed, learned = experience.believed(problem())
-    put_down = PlanStep("put-down-lift-010-block", "item-01")
-    for step in (PUSH, put_down):
-        own = believed_name(step, believed, learned)
-        assert own.operator == f"{step.operator}-of-item-01"
-        assert learned_name(own) == step
-    stranger = PlanStep("push-left-000-tray", "item-02")
-    assert believed_name(stranger, believed, learned) == stranger == learned_name(stranger)
 
 
 def test_what_was_seen_of_an_object_that_lay_turned_holds_for_any_angle():

@@ -1,5 +1,7 @@
 """The robot's world: what actions do, and that they do it again; objects are built as their features say."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from standing import CLOSED, OPEN, boxes
@@ -7,16 +9,20 @@ from standing import CLOSED, OPEN, boxes
 from neurosym.errors import InvalidValue, NeurosymError
 from neurosym.sim.config import (
     MOST_OBJECTS,
+    TabletopConfig,
+    pybullet,
+)
+from neurosym.sim.interaction import _landing_shift
+from neurosym.sim.shapes import (
     OPEN_THROUGH,
     OPEN_TOP,
     SHAPES,
     SOLID,
-    TabletopConfig,
-    boxes_of,
-    pybullet,
+    TEST_SHAPES,
+    UNSEEN,
+    body_of,
 )
-from neurosym.sim.interaction import _landing_shift
-from neurosym.sim.simulation import Simulation, sample_features, sample_scene
+from neurosym.sim.simulation import Simulation, sample_objects, sample_scene
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import Outcome, Scene
 
@@ -140,31 +146,64 @@ def test_every_scene_is_simulated_with_its_pairs_of_touching_objects_sorted(monk
 
 # Objects of every shape, and scenes of many of them
 
-WALL = 0.006
+LIKE = {"wall": 0.006, "mass": 0.1, "friction": 0.8}
 
 
-def extent(boxes):
-    """Sizes of the smallest box around turned boxes, along x, y, z."""
+def sizes(parts):
+    """Sizes of the smallest box around the parts of an object, along x, y, z."""
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
-    for (x, y, z), centre, turn in boxes:
-        half_x = abs(x * np.cos(turn)) + abs(y * np.sin(turn))
-        half_y = abs(x * np.sin(turn)) + abs(y * np.cos(turn))
-        half = np.array([half_x, half_y, z])
-        low, high = np.minimum(low, centre - half), np.maximum(high, centre + half)
+    for part in parts:
+        turned = np.abs(np.array(pybullet.getMatrixFromQuaternion(part.orientation)).reshape(3, 3))
+        half = np.full(3, part.size[0]) if part.kind == "sphere" else turned @ np.array(part.size) / 2
+        middle = np.array(part.position)
+        low, high = np.minimum(low, middle - half), np.maximum(high, middle + half)
     return high - low
 
 
 @pytest.mark.parametrize(("kind", "parts"), [(SOLID, 1), (OPEN_TOP, 5), (OPEN_THROUGH, 12)])
 def test_object_is_as_large_as_its_features_say(kind, parts):
-    boxes = boxes_of(np.array([0.12, 0.12, 0.05, kind]), WALL)
-    assert len(boxes) == parts
-    assert extent(boxes) == pytest.approx([0.12, 0.12, 0.05], abs=0.004)
+    body = body_of(np.array([0.12, 0.12, 0.05, kind]), (), **LIKE)
+    assert len(body.parts) == parts
+    assert sizes(body.parts) == pytest.approx([0.12, 0.12, 0.05], abs=0.004)
+
+
+@pytest.mark.parametrize("number", range(1, 1 + len(TEST_SHAPES)))
+def test_shapes_to_be_tried_on_are_as_large_as_they_look_and_stand_still(number):
+    shape = [*TEST_SHAPES][number - 1]
+    scene = sample_scene(TabletopConfig(shapes={shape: 1.0}), np.random.default_rng(number), 1)
+    assert scene.unseen[0].tolist() == [number, 0, 0, 0, 0]
+    body = body_of(scene.features[0], scene.unseen[0], **LIKE)
+    assert len(body.parts) <= 16
+    assert sizes(body.parts) == pytest.approx(scene.features[0, :3], abs=0.012)
+    simulation = Simulation(Tabletop().client(), TabletopConfig(), scene)
+    simulation.settle()
+    now = simulation.observe()
+    assert now.positions == pytest.approx(scene.positions, abs=2e-4)
+    assert now.orientations == pytest.approx(scene.orientations, abs=2e-3)
+    np.testing.assert_array_equal(now.unseen, scene.unseen)
+
+
+def test_what_no_feature_shows_changes_what_happens():
+    plain = boxes((0.1, 0.05, 0.05, 0.0, 0.65, 0.0))
+
+    def lifted(**unseen: float) -> Outcome:
+        row = [unseen.get(name, 0.0) for name in UNSEEN]
+        return perform(replace(plain, unseen=np.array([row])), LIFT)
+
+    assert lifted().held
+    assert lifted(mass=0.5).held
+    assert not lifted(mass=6.0, friction=0.1).held
+    tilted = [lifted(heavy_end=share).lifted.orientations[0, 1] for share in (0.0, 0.8)]
+    assert abs(tilted[1] - tilted[0]) > 0.01
+    for row in ([0.0, 1.0], [0, -1, 0, 0, 0], [99, 0, 0, 0, 0], [0, 0, 0, 2, 0]):
+        with pytest.raises(InvalidValue, match="unseen"):
+            perform(replace(plain, unseen=np.array([row], dtype=float)), LIFT)
 
 
 @pytest.mark.parametrize("shape", SHAPES)
 def test_every_shape_keeps_to_the_ranges_of_the_world(shape):
     config = TabletopConfig(shapes={shape: 1.0})
-    features = sample_features(config, np.random.default_rng(0), 200)
+    features = sample_objects(config, np.random.default_rng(0), 200)[0]
     assert features[:, :2].min() >= config.size[0]
     assert features[:, :2].max() <= config.size[1]
     assert features[:, 2].min() >= config.height[0]
@@ -173,13 +212,13 @@ def test_every_shape_keeps_to_the_ranges_of_the_world(shape):
 
 
 def test_planks_are_flat_and_long_and_rings_are_round_and_drawn_as_often_as_asked():
-    planks = sample_features(TabletopConfig(shapes={"plank": 1.0}), np.random.default_rng(0), 200)
-    rings = sample_features(TabletopConfig(shapes={"ring": 1.0}), np.random.default_rng(0), 200)
+    planks = sample_objects(TabletopConfig(shapes={"plank": 1.0}), np.random.default_rng(0), 200)[0]
+    rings = sample_objects(TabletopConfig(shapes={"ring": 1.0}), np.random.default_rng(0), 200)[0]
     assert planks[:, 2].max() <= 0.04
     assert (planks[:, :2].max(axis=1) / planks[:, :2].min(axis=1)).min() > 1.5
     assert np.array_equal(rings[:, 0], rings[:, 1])
     config = TabletopConfig(shapes={"box": 3.0, "ring": 1.0})
-    rings = sample_features(config, np.random.default_rng(0), 2000)[:, 3] == OPEN_THROUGH
+    rings = sample_objects(config, np.random.default_rng(0), 2000)[0][:, 3] == OPEN_THROUGH
     assert rings.mean() == pytest.approx(0.25, abs=0.03)
 
 

@@ -266,6 +266,6 @@ def test_what_does_not_come_to_stand_is_let_lie_after_two_failures():
         start=start, lifted=start, end=start, target=0, held=False, toppled=False, lost=False, peak_height=0.0
     )
     for upright in (("item-01",), ("item-01",), ()):
-        assert experience.believed(asked)[0].upright == upright
+        assert experience.believed(asked).upright == upright
         experience.learn(step, failed)
-    assert experience.hoping_again(asked).believed(asked)[0].upright == ()
+    assert experience.hoping_again(asked).believed(asked).upright == ()

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from places import ROOT
 
-from neurosym.sim.config import SHAPES, TabletopConfig
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.shapes import LEARNED_SHAPES as SHAPES
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import three_waypoints
 from neurosym.worlds.workers import perform_all

@@ -11,8 +11,9 @@ from itertools import product
 
 import numpy as np
 
-from neurosym.sim.config import SHAPES, TabletopConfig
-from neurosym.sim.simulation import sample_features, sample_scene
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.shapes import LEARNED_SHAPES as SHAPES
+from neurosym.sim.simulation import sample_objects, sample_scene
 from neurosym.world import OtherObject, Outcome, Scene
 from neurosym.worlds.workers import Perform, Task, crew, perform_all
 from tools.benchmarks.relations.geometry import relation
@@ -45,7 +46,7 @@ def _task(shape: str, under: str, seed: Sequence[int]) -> Task:
     while True:
         scene = sample_scene(TabletopConfig(), rng, 2)
         configs = [TabletopConfig(shapes={name: 1.0}) for name in (shape, under)]
-        features = np.vstack([sample_features(config, rng, 1) for config in configs])
+        features = np.vstack([sample_objects(config, rng, 1)[0] for config in configs])
         positions = np.column_stack([scene.positions[:, :2], features[:, 2] / 2])
         gap = np.abs(np.subtract(*positions)) - features[:, :3].sum(0) / 2
         action = carry_to(features[TARGET])

@@ -6,8 +6,8 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.sim.config import OPEN_TOP, SOLID
 from neurosym.sim.interaction import rotation
+from neurosym.sim.shapes import OPEN_TOP, SOLID
 from neurosym.world import Outcome, Scene
 
 Relation = Literal["on", "in", "leaning", "against", "beside", "apart", "around"]

@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from neurosym.operators import TOLERANCE
-from neurosym.sim.config import OPEN_TOP, SOLID, TabletopConfig
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.shapes import OPEN_TOP, SOLID
 from neurosym.sim.simulation import sample_scene
 from neurosym.world import OtherObject, Outcome, Place, Scene, World, relative_to
 from tools.benchmarks.relations.geometry import Relation, fits, relation

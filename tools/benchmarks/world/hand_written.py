@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from jaxtyping import Float
 
-from neurosym.sim.config import OPEN_TOP, SOLID
+from neurosym.sim.shapes import OPEN_TOP, SOLID
 from neurosym.world import Outcome
 
 Action = Float[np.ndarray, "12"]

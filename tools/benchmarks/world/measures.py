@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 
 from neurosym.data.interactions import Interactions
-from neurosym.sim.config import OPEN_THROUGH, OPEN_TOP, SHAPES, SOLID, TabletopConfig
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.shapes import LEARNED_SHAPES as SHAPES
+from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP, SOLID
 from neurosym.sim.simulation import sample_scene
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import Outcome, Place, Table
