@@ -103,6 +103,7 @@ class Trial(Document, frozen=True, omit_defaults=True):
     lay: tuple[float, float, float, float]  #: Its orientation before, as a quaternion (x, y, z, w)
     crowded: bool = False  #: Whether other objects were in the way
     forgotten: bool = False  #: Whether it counts only against hoping for what it shows to fail
+    run: str = ""  #: The record of the run that it was seen in, if it was one
 
 
 class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -253,8 +254,9 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
         return all(distance <= self.tolerance for distance in self.distances(positions).values())
 
     def save(self, path: Path) -> None:
-        """Write the problem to a file, NAME.scene.json by custom."""
-        write_json(as_path(path), self)
+        """Write the problem to a file, NAME.scene.json by custom, without what its objects did before."""
+        objects = tuple(msgspec.structs.replace(item, past=msgspec.UNSET) for item in self.objects)
+        write_json(as_path(path), msgspec.structs.replace(self, objects=objects))
 
     @classmethod
     def load(cls, path: Path, change: Callable[[dict[str, Any]], dict[str, Any]] | None = None) -> "Problem":

@@ -31,6 +31,7 @@ GROUPS = {
     },
     "Tasks and plans": {
         "new-problem": "Make a problem: a random scene, and a goal that actions lead to, or yours.",
+        "meet": "Try things with the objects of a scene, and keep what each did by its name.",
         "planners": "List the planners, the encodings that they take, and whether they are here.",
         "validate": "Judge a plan without executing it; exit code 3 if it is none.",
         "replay": "Run a record again, nudge and all, and say whether the same happens (exit code 3: no).",
@@ -57,7 +58,7 @@ _HOMES = {
     "learn": ("init", "explore", "check", "train", "distill", "compile-domain"),
     "pipeline": ("run",),
     "tasks": ("new-problem", "plan", "planners", "validate"),
-    "execute": ("demo", "execute", "replay"),
+    "execute": ("demo", "execute", "meet", "replay"),
     "show": ("show", "traces", "explain", "report", "compare"),
     "studio": ("studio",),
 }

@@ -1,13 +1,15 @@
 """Commands that run plans in the world: `execute`, `replay`, and `demo`, which compiles and plans before."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Optional
 
+import msgspec
 from tyro.conf import Positional, arg
 
+from neurosym.checks import check_count
 from neurosym.choices import copy_shipped
 from neurosym.commands.arguments import (
     Folder,
@@ -24,14 +26,15 @@ from neurosym.commands.ending import NO_RESULT
 from neurosym.commands.tasks import given_plan
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, check_extra, counted, quoted
 from neurosym.files import make_folder, write_atomically
-from neurosym.stages.console import print_raw, say, say_next
-from neurosym.stages.folder import DomainFolder, Stage
-from neurosym.stages.layout import DOMAIN, RECORD, RUNS, plan_files, run_file
+from neurosym.stages.console import print_raw, progress_bar, say, say_next, show_table
+from neurosym.stages.folder import Claim, DomainFolder, Stage
+from neurosym.stages.layout import DOMAIN, GROUNDING, PASTS, RECORD, RUNS, WORLD, plan_files, run_file
 
 if TYPE_CHECKING:
     from neurosym.execution.performance import Agreement
     from neurosym.execution.record import Run
     from neurosym.stages.execution import Showing
+    from neurosym.stages.pasts import Meeting
 
 
 _Gif = Annotated[Optional[Path], arg(help="Write an animated GIF of the run here.")]
@@ -135,6 +138,74 @@ def _perform_values(domain: DomainFolder, stage: Stage, answer: Callable[..., No
     say(f"wrote {record}")
     answer(run, file=str(record))
     return 0 if run.reached else NO_RESULT
+
+
+def meet(
+    folder: Folder,
+    scene: Annotated[
+        Positional[str], arg(metavar="SCENE", help="A problem in DIR/problems whose objects are met.")
+    ],
+    tries: Annotated[
+        int, arg(help="How many tries of each object there are in all; more go on from these.")
+    ] = 3,
+    object: Annotated[  # noqa: A002  (it is typed so)
+        Optional[str], arg(metavar="ITEM", help="The only object to be met.")
+    ] = None,
+    forget: Annotated[
+        bool, arg(help="Forget what the objects did; they are met as new, or not at all.")
+    ] = False,
+    json: Json = False,
+) -> int:
+    """Try things with the objects of a scene, and keep what each did by its name.
+
+    Each try begins as the scene says, without the other objects, and is the one that tells most. Plans count
+    what an object did from then on, and runs with it add to that. `--forget --tries 0` only forgets.
+    """
+    from neurosym.grounding import Grounding
+    from neurosym.stages.pasts import Meeting, Past, forget_pasts, load_past
+    from neurosym.stages.planning import load_problem
+    from neurosym.stages.value_stages import is_of_values
+    from neurosym.tasks.tries import said_of
+    from neurosym.worlds.world_file import read_world
+
+    answer, domain = answer_in(json), opened(folder)
+    check_count("tries", tries, least=0)
+    name = domain.problem(scene)
+    if is_of_values(domain):
+        raise InvalidValue("With data of your own there are no objects to be met: --seed draws others.")
+    with domain.claimed(Claim.SHARED):
+        grounding, world = Grounding.load(domain.require(GROUNDING)), read_world(domain.require(WORLD))()
+        problem = load_problem(domain, name, world)
+        names = (object,) if object else problem.object_names
+        items = [problem.object_named(one) for one in names]
+        if forget:
+            forgotten = forget_pasts(domain, names)
+            say(f"forgot what {', '.join(forgotten) or 'none of them'} did")
+        meetings = [Meeting(domain, problem, one, world, grounding) for one in names]
+        rows = [row for one in meetings for row in _tried(one, tries)] if tries else []
+        if rows:
+            show_table("tries", ["object", "motion", "what came", "as promised"], rows)
+        for item in items:
+            if past := load_past(domain, item):
+                known = msgspec.structs.replace(item, past=past.trials)
+                say(f"{said_of(known, grounding)} (tried {counted(len(past.trials), 'time')})")
+    if tries:
+        say(f"wrote {folder / PASTS}")
+        say_next(f"neurosym plan {quoted(folder)} {name}")
+    found = [past for item in items if (past := load_past(domain, item))]
+    answer({"pasts": list[Past](found)})
+    return 0
+
+
+def _tried(meeting: "Meeting", tries: int) -> Iterator[list[str]]:
+    """Try things with an object until there were so many tries, and tell of each."""
+    name = meeting.item.name
+    with progress_bar(f"meeting {name}") as advance:
+        while meeting.tries < tries and (found := meeting.try_next()):
+            operator, trial, kept = found
+            advance(meeting.tries, tries)
+            x, y, z = (f"{1000 * value:.0f}" for value in trial.effect)
+            yield [name, operator, f"{trial.kind} {x}, {y}, {z} mm", "yes" if kept else "no"]
 
 
 def replay(

@@ -30,7 +30,7 @@ from neurosym.execution.replanning import (
 from neurosym.grounding import Grounding, is_lift
 from neurosym.planners.planner import Effort, Tell
 from neurosym.planners.registry import Replanner
-from neurosym.problems import Problem
+from neurosym.problems import Problem, Trial
 from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.task import is_at, understand
 from neurosym.tasks.transition import PlanStep, check_aims, named_steps, primitives, promise_of, validate
@@ -61,6 +61,7 @@ def execute(
     nudge_seed: int | None = None,
     on_frame: FrameSink | None = None,
     on_step: Callable[[StepRecord], None] | None = None,
+    on_trial: Callable[[str, Trial], None] | None = None,
     watcher: Watcher | None = None,
     tell: Tell | None = None,
 ) -> Run:
@@ -79,6 +80,7 @@ def execute(
         nudge_seed: Nudge an object once during the run, drawn from this seed, if given.
         on_frame: Called with pictures of the motion as it happens, if given.
         on_step: Called with each step's record as soon as it is done, if given.
+        on_trial: Called with the name of an object and what became of it, for its past, if given.
         watcher: Asked before each step whether to nudge an object or to stop, and told of new plans.
         tell: Told of each step and each new plan before it is done or made, if given.
 
@@ -97,7 +99,7 @@ def execute(
     places = understand(problem, grounding).places
     here = Situation(world, msgspec.structs.replace(problem, places=places), grounding, on_frame)
     check_aims(here.problem, grounding, plan)
-    run = _Running(here, plan, watcher, tell or (lambda _: None))
+    run = _Running(here, plan, watcher, tell or (lambda _: None), on_trial)
     while run.ended in ("plan", "budget", "work"):
         if nudge := drawn_nudge(nudge_seed, primitives(plan), run.moment, problem, world.table):
             run.be_nudged(nudge)
@@ -136,8 +138,16 @@ class _Running:
     distances from the goals [m], and `stalled` how many new plans in a row changed neither.
     """
 
-    def __init__(self, here: Situation, plan: Sequence[PlanStep], watcher: Watcher | None, tell: Tell):
+    def __init__(
+        self,
+        here: Situation,
+        plan: Sequence[PlanStep],
+        watcher: Watcher | None,
+        tell: Tell,
+        on_trial: Callable[[str, Trial], None] | None = None,
+    ):
         self.here, self.left, self.watcher, self.tell = here, list(plan), watcher, tell
+        self.on_trial = on_trial
         self.aimed, self.experience = here.problem, Experience(here.grounding)
         self.effort = Effort(usual_work(here.problem))
         self.fewest, self.nearest, self.stalled = primitives(plan), self._miss(), 0
@@ -247,7 +257,9 @@ class _Running:
             self._take(step, outcome)
 
     def _take(self, step: PlanStep, outcome: Outcome) -> None:
-        self.experience.learn(step, outcome)
+        trial = self.experience.learn(step, outcome)
+        if trial and self.on_trial:
+            self.on_trial(step.object, trial)
         if outcome.lost:
             self.ended = "lost"
 

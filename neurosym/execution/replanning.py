@@ -72,19 +72,20 @@ class Experience:
         patience = LAST_HOPE if self._kept else self._patience
         return Experience(self.grounding, seen, self._kept, patience, self._let_lie)
 
-    def learn(self, step: PlanStep, outcome: Outcome) -> None:
-        """Remember what a step did."""
+    def learn(self, step: PlanStep, outcome: Outcome) -> Trial | None:
+        """Remember what a step did, and return what it did to the object by itself, if it did that."""
         operator = self.grounding.operator_named(step.base)
         if operator.frame == "side":
             self._let_lie[step.object, operator.name] += righted(outcome) != "resting"
-            return
+            return None
         if operator.frame == "pair":
             put = put_named(step.operator, self.grounding)
             kept = put is not None and ended_in(outcome, self.grounding) == put.state
             self._kept.setdefault((pair_key(step.object, step.place), _way(operator)), []).append(kept)
-        else:
-            seen = trial_of(outcome, operator, self.grounding)
-            self._seen.setdefault(step.object, []).append(seen)
+            return None
+        seen = trial_of(outcome, operator, self.grounding)
+        self._seen.setdefault(step.object, []).append(seen)
+        return seen
 
     def believed(self, problem: Problem) -> Problem:
         """Take objects as they show now, with what was seen of them as they lie.

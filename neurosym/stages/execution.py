@@ -19,11 +19,12 @@ from neurosym.grounding import Grounding
 from neurosym.pddl.plan_reading import read_plan
 from neurosym.planners.planner import Planner, PlanResult, PlanStatus, Tell
 from neurosym.planners.registry import Replanner, plan, planner_named
-from neurosym.problems import Problem
+from neurosym.problems import Problem, Trial
 from neurosym.stages.console import say, shown_doing
 from neurosym.stages.folder import DomainFolder, Stage
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
 from neurosym.stages.painting import painted_world
+from neurosym.stages.pasts import remember
 from neurosym.stages.plan_records import record_beside
 from neurosym.stages.planning import load_problem, remarks_on_objects
 from neurosym.tasks.transition import hand_problem
@@ -97,11 +98,13 @@ def execute_stage(
             for remark in remarks_on_objects(folder, own, grounding):
                 folder.notify(remark)
         steps = read_plan(plan_file, grounding, own)
-        if impossible := hand_problem(steps, grounding):
+        if impossible := hand_problem(steps, own, grounding):
             raise InvalidFile(plan_file, impossible)
+        seen = dict[str, list[Trial]]()
         with shown_doing() as tell:
             solve = None if replans == 0 else replanning(asked_again, time_limit, tell)
             how: dict[str, Any] = {"replanner": solve, "replans": replans, "nudge_seed": nudge_seed}
+            how["on_trial"] = lambda name, trial: seen.setdefault(name, []).append(trial)
             perform = partial(execute, world, problem, grounding, steps, tell=tell, **how)
             run = _shown(showing, world, problem, perform)
         other = None if problem.tolerance == own.tolerance else problem.tolerance
@@ -109,6 +112,7 @@ def execute_stage(
         make_folder(folder / RUNS)
         told = msgspec.structs.replace(run, tolerance=other, machine=this_machine(), replanner=by)
         write_json(folder / record_file, told)
+        remember(folder, own, run_name(name, plan_file), seen)
 
     # what is not asked for is left out, so that records of earlier versions stay up to date
     options: dict[str, Any] = {"plan": digest(plan_file), "replans": replans}

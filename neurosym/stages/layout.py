@@ -59,6 +59,7 @@ PROBLEMS = "problems"
 """`new-problem`: NAME.scene.json (the problem), NAME.pddl and NAME.numeric.pddl (for other planners)."""
 PLANS = "plans"  # `plan`: NAME.PLANNER.plan, and how planning went, NAME.PLANNER.json
 RUNS = "runs"  # `execute`: what became of each plan
+PASTS = "pasts"  # `meet`: what the objects of these names did; `execute` adds to them
 PICTURES = "pictures"  # `show`: pictures; those of the page are in `report`
 REPORT_PICTURES = "pictures/report"  # `report`: the pictures of the page
 COMPARISONS = "comparison"  # `compare`: a folder for each kind of task, with a file for each task
@@ -68,6 +69,7 @@ FOLDERS = (
     PROBLEMS,
     PLANS,
     RUNS,
+    PASTS,
     PICTURES,
     REPORT_PICTURES,
     f"{COMPARISONS}/*",
@@ -141,6 +143,11 @@ def run_name(problem: str, plan_file: Path) -> str:
     """Name a run after its problem and its plan, whose name mostly begins with the problem's."""
     stem = plan_file.stem
     return stem if stem.startswith(f"{problem}.") else f"{problem}.{stem}"
+
+
+def past_file(item: str) -> str:
+    """Name the file that says what an object was seen to do."""
+    return f"{PASTS}/{item}.json"
 
 
 def printed_file(problem: str, encoding: str) -> str:

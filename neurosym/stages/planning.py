@@ -20,6 +20,7 @@ from neurosym.problems import Problem, check_on_table
 from neurosym.stages.compilation import print_beside, print_problem
 from neurosym.stages.folder import DomainFolder, Stage, load_scene
 from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, printed_file, scene_file, steps_file
+from neurosym.stages.pasts import past_files, with_past
 from neurosym.stages.plan_records import write_plan
 from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.promises import is_rehearsed
@@ -95,7 +96,7 @@ def load_problem(folder: DomainFolder, name: str, world: World | None = None) ->
     scene = folder / scene_file(folder.problem(name))
     if not scene.is_file():
         raise StageMissing(scene, f"neurosym new-problem {quoted(folder.path)} --name {folder.problem(name)}")
-    problem = load_scene(scene)
+    problem = with_past(folder, load_scene(scene))
     check_scene(folder, problem, scene, world)
     if problem.conditions and not (problem.goals or problem.relations):  # somebody put it there
         return with_goals(problem, Grounding.load(folder.require(GROUNDING)))
@@ -156,7 +157,8 @@ def plan_stage(
     if made_by and (folder / plan_file).exists():
         _refuse_namesake(folder, stage, made_by, plan_file)
     printed_again = tuple(printed_file(name, each) for each in ENCODINGS)
-    inputs = (scene_file(name), GROUNDING, *((MODEL,) if chosen.reads == "network" else ()))
+    read = (MODEL,) if chosen.reads == "network" else ()
+    inputs = (scene_file(name), GROUNDING, *read, *past_files(folder))
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))

@@ -199,7 +199,7 @@ def carriers_for(item: SceneObject, grounding: Grounding, tolerance: float) -> t
     How sure they are counts what rehearsals beside others showed, since a scene may hold others.
     """
     of_item = promised(grounding, item, tolerance)
-    found = [of_item[one.name] for one in grounding.live_on("place") if one.is_for(item.category)]
+    found = [of_item[one.name] for one in grounding.live_on("place") if one.name in of_item]
     fit = [one for one in found if one.successes >= LEAST_CHANCE * one.trials and one.successes]
 
     def effort(operator: Operator) -> tuple[float, str]:

@@ -239,16 +239,16 @@ def promise_of(step: PlanStep, problem: Problem, grounding: Grounding) -> Operat
     return operator_for(step, problem, grounding, TOLERANCE)
 
 
-def hand_problem(steps: Sequence[PlanStep], grounding: Grounding) -> str:
+def hand_problem(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> str:
     """Say which step of a plan asks the hand for what it cannot do, or nothing if none does."""
     held, number = None, 0
     for step in steps:
         number = max(1, number + (not step.puts_down))
-        operator = grounding.operator_named(step.base)
+        operator = operator_for(step, problem, grounding)
         if operator.frame == "pair":
             continue
-        if operator.promise and (problem := _hand_refusal(step, held, operator)):
-            return f"step {number}, {step.operator} {step.object}: {problem}"
+        if operator.promise and (said := _hand_refusal(step, held, operator)):
+            return f"step {number}, {step.operator} {step.object}: {said}"
         held = step if is_lift(operator) and not step.puts_down else None
     return ""
 
