@@ -199,13 +199,13 @@ def meet(
 
 def _tried(meeting: "Meeting", tries: int) -> Iterator[list[str]]:
     """Try things with an object until there were so many tries, and tell of each."""
-    name = meeting.item.name
+    name = meeting.past.name
     with progress_bar(f"meeting {name}") as advance:
         while meeting.tries < tries and (found := meeting.try_next()):
-            operator, trial, kept = found
             advance(meeting.tries, tries)
-            x, y, z = (f"{1000 * value:.0f}" for value in trial.effect)
-            yield [name, operator, f"{trial.kind} {x}, {y}, {z} mm", "yes" if kept else "no"]
+            x, y, z = (f"{1000 * value:.0f}" for value in found.trial.effect)
+            said = f"{found.trial.kind} {x}, {y}, {z} mm"
+            yield [name, found.operator, said, "yes" if found.kept else "no"]
 
 
 def replay(

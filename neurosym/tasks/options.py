@@ -10,6 +10,8 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
 
+import msgspec
+
 from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import ANY_KIND, TOLERANCE, Mode, Operator, Symbol
 from neurosym.pair_operators import FAINT, Case, PairState
@@ -100,6 +102,7 @@ class Put:
     # None where nothing is foreseen, and it does as with others of their kind
     foreseen: float | None = None
     case: Case = frozenset()  # in which company it is done
+    handled: float = 1.0  # by what factor its chance is another one, by what the target was seen to do
 
     @property
     def name(self) -> str:
@@ -109,21 +112,23 @@ class Put:
     @property
     def share(self) -> float:
         """In which share of the cases it is foreseen to keep its promise."""
-        return self.end.share if self.foreseen is None else self.foreseen
+        return min(1.0, self.handled * (self.end.share if self.foreseen is None else self.foreseen))
 
-    def with_pair(self, problem: Problem, target: str, reference: str) -> "Put":
+    def with_pair(self, problem: Problem, grounding: Grounding, target: str, reference: str) -> "Put":
         """Return it as it is foreseen to turn out with a pair of objects, by name, if the problem says so."""
+        handled = _handled(grounding, self.operator, problem.object_named(target))
         share = problem.foreseen.get(pair_key(target, reference), {}).get(self.name)
         if share is None:
-            return self
-        return replace(self, foreseen=min(SHARES, key=lambda one: abs(one - share)))
+            return replace(self, handled=handled)
+        return replace(self, handled=handled, foreseen=min(SHARES, key=lambda one: abs(one - share)))
 
     @property
     def chance(self) -> float:
         """The chance that a step goes as promised, by what rehearsals in company showed."""
         usual = self.operator.chance
         among = (min(1.0, kept.chance / usual) for how, kept in self.operator.company if how in self.case)
-        return math.prod(among, start=usual if self.foreseen is None else self.foreseen)
+        chance = math.prod(among, start=usual if self.foreseen is None else self.foreseen)
+        return min(max(SHARES), self.handled * chance) if self.handled != 1 else chance
 
     def cost(self, grounding: Grounding) -> int:
         """Return what a step costs in a domain; see `step_cost`."""
@@ -148,11 +153,11 @@ def puts_for(
     """
     key = pair_key(target, reference)
     kind = kind or problem.pairs.get(key)
-    category = problem.object_named(target).category
+    item = problem.object_named(target)
     fitting = [
-        put.with_pair(problem, target, reference)
+        put.with_pair(problem, grounding, target, reference)
         for put in puts_of(grounding)
-        if put.operator.is_for(kind) and _is_carried_with(grounding, put.operator, category)
+        if put.operator.is_for(kind) and _is_carried_with(grounding, put.operator, item)
     ]
     ranked = sorted(fitting, key=lambda put: put.chance)
     own = {put.state.name: put.chance for put in ranked if put.operator.subject}
@@ -177,12 +182,28 @@ def puts_for(
     return tuple(put for put in at_hand if surest.get(put.operator.case) is put)
 
 
-def _is_carried_with(grounding: Grounding, operator: Operator, category: Symbol) -> bool:
-    """Say whether an operator on pairs is performed with what carries a category, as far as that is known."""
-    known = (
-        carrying_with(grounding.places, grounding.primitive_of(operator).action) if grounding.places else ()
+def _is_carried_with(grounding: Grounding, operator: Operator, item: SceneObject) -> bool:
+    """Say whether an operator on pairs is performed with what carries an object, as far as that is known."""
+    known = _carrying(grounding, operator)
+    return not known or any(one.name in promised(grounding, item) for one in known)
+
+
+def _handled(grounding: Grounding, operator: Operator, item: SceneObject) -> float:
+    """Return by what factor an operator on pairs does what it does with a target, by what that did before."""
+    if item.past is msgspec.UNSET:
+        return 1.0
+    now, before = (
+        promised(grounding, item),
+        promised(grounding, msgspec.structs.replace(item, past=msgspec.UNSET)),
     )
-    return not known or any(one.subject == category for one in known)
+    known = (one for one in _carrying(grounding, operator) if one.name in now)
+    return max((now[one.name].chance / before.get(one.name, one).chance for one in known), default=1.0)
+
+
+def _carrying(grounding: Grounding, operator: Operator) -> tuple[Operator, ...]:
+    """Return what carries to places with the motion of an operator on pairs."""
+    action = grounding.primitive_of(operator).action
+    return carrying_with(grounding.places, action) if grounding.places else ()
 
 
 def put_named(name: str, grounding: Grounding) -> Put | None:

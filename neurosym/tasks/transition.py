@@ -301,7 +301,7 @@ def _put(task: Task, state: State, step: PlanStep) -> Put | None:
     target, supports = step.object, state.supports
     is_occupied = bool({*loads_of(step.place, supports)} - {target})
     case = case_of(target in supports, is_occupied, bool(loads_of(target, supports)))
-    return replace(put.with_pair(task.problem, target, step.place), case=case)
+    return replace(put.with_pair(task.problem, task.grounding, target, step.place), case=case)
 
 
 def _refusals(task: Task, state: State, step: PlanStep) -> Iterator[Refusal]:
