@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from neurosym.execution.performance import Agreement
     from neurosym.execution.record import Run
     from neurosym.stages.execution import Showing
-    from neurosym.stages.pasts import Meeting
+    from neurosym.stages.meeting import Meeting
 
 
 _Gif = Annotated[Optional[Path], arg(help="Write an animated GIF of the run here.")]
@@ -161,11 +161,12 @@ def meet(
     Each try begins as the scene says, without the other objects, and is the one that tells most. Plans count
     what an object did from then on, and runs with it add to that. `--forget --tries 0` only forgets.
     """
+    from neurosym.execution.tries import said_of
     from neurosym.grounding import Grounding
-    from neurosym.stages.pasts import Meeting, Past, forget_pasts, load_past
+    from neurosym.stages.meeting import Meeting
+    from neurosym.stages.past_files import Past, forget_pasts, load_past
     from neurosym.stages.planning import load_problem
     from neurosym.stages.value_stages import is_of_values
-    from neurosym.tasks.tries import said_of
     from neurosym.worlds.world_file import read_world
 
     answer, domain = answer_in(json), opened(folder)

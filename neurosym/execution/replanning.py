@@ -83,7 +83,7 @@ class Experience:
             kept = put is not None and ended_in(outcome, self.grounding) == put.state
             self._kept.setdefault((pair_key(step.object, step.place), _way(operator)), []).append(kept)
             return None
-        seen = trial_of(outcome, operator, self.grounding)
+        seen = trial_of(outcome, operator, self.grounding.turned)
         self._seen.setdefault(step.object, []).append(seen)
         return seen
 

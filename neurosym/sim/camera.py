@@ -13,7 +13,7 @@ from neurosym.contract import POSE_SECONDS, Part, PartKind, Pose, PoseSink
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import Arm, Client, TabletopConfig, loaded, pybullet
 from neurosym.sim.robot import Robot
-from neurosym.sim.simulation import Simulation, built, shape_array
+from neurosym.sim.simulation import Simulation
 from neurosym.world import DOT_COLOURS, Frame, Painter, draw_dots, painted
 
 Colour = tuple[float, float, float, float]
@@ -137,9 +137,9 @@ class Camera:
         if self._centres is None:
             return
         for index in np.flatnonzero(np.all(np.isfinite(self._centres), axis=1)).tolist():
-            body = built(self._scene, index, self._simulation.config)
-            colour = {"rgbaColors": [list(colours[index])] * len(body.parts)}
-            shape = client.createVisualShapeArray(**shape_array(body, "visual"), **colour)
+            parts = self._simulation.shape_of(index, "visual")
+            colour = [list(colours[index])] * len(parts["shapeTypes"])
+            shape = client.createVisualShapeArray(**parts, rgbaColors=colour)
             pose = self._centres[index].tolist(), self._scene.orientations[index].tolist()
             client.createMultiBody(0, -1, shape, *pose)
 

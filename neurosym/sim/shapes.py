@@ -5,7 +5,7 @@ try what was learned on: their features say how large they are, and not that the
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -54,17 +54,41 @@ Box = tuple[tuple[float, float, float], tuple[float, float, float], float]
 class Body:
     """What the simulator makes of an object."""
 
-    parts: tuple[Part, ...]  # what it is built from, its frame at the middle of its bounding box
+    boxes: tuple[
+        Box, ...
+    ]  # what it is built from, its frame at the middle; what is around it if it is a ball
     mass: float  # [kg]
     friction: float  # lateral
     centre_of_mass: tuple[float, float, float] = (0.0, 0.0, 0.0)  # in its frame [m]
-    rolls: bool = False  # whether it rolls whichever way it lies
+    is_ball: bool = False
+
+    @property
+    def around(self) -> tuple[Float[np.ndarray, "B 3"], Float[np.ndarray, "B 3"]]:
+        """The middles and half sizes of straight boxes around those that it is built from [m]."""
+        halves, centres, turns = (np.array(column) for column in zip(*self.boxes, strict=True))
+        (x, y, z), cos, sin = halves.T, np.abs(np.cos(turns)), np.abs(np.sin(turns))
+        return centres, np.stack([cos * x + sin * y, sin * x + cos * y, z], axis=1)
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """What it is drawn with."""
+        if self.is_ball:
+            return (Part("sphere", self.boxes[0][0][:1]),)
+        return tuple(
+            Part(
+                "box",
+                tuple(2 * edge for edge in half),
+                centre,
+                (0.0, 0.0, math.sin(turn / 2), math.cos(turn / 2)),
+            )
+            for half, centre, turn in self.boxes
+        )
 
 
 def body_of(
     features: Float[np.ndarray, "F"], unseen: Sequence[float], *, wall: float, mass: float, friction: float
 ) -> Body:
-    """Say what to build an object from; walls and floors are so thick [m].
+    """Say what to build an object from.
 
     Args:
         features: What is seen of it.
@@ -78,14 +102,11 @@ def body_of(
     x, y, z = (float(size) / 2 for size in features[:3])
     own = own_mass or mass, own_friction or friction
     if shape == "ball":
-        return Body((Part("sphere", (z,)),), *own, (heavy * z, 0.0, 0.0), rolls=True)
+        return Body((((z, z, z), (0.0, 0.0, 0.0), 0.0),), *own, (heavy * z, 0.0, 0.0), is_ball=True)
     boxes = _FORMS[shape](x, y, z) if shape else _boxes_as_seen(features, wall, floor)
-    parts = (
-        Part("box", tuple(2 * edge for edge in half), middle, _turned(turn)) for half, middle, turn in boxes
-    )
     middle_x, middle_y, middle_z = _middle_of(boxes) if shape in _LOPSIDED else (0.0, 0.0, 0.0)
     middle_x += abs(heavy) * (math.copysign(x, heavy) - middle_x)
-    return Body(tuple(parts), *own, (middle_x, middle_y, middle_z))
+    return Body(tuple(boxes), *own, (middle_x, middle_y, middle_z))
 
 
 def _boxes_as_seen(features: Float[np.ndarray, "F"], wall: float, floor: float) -> list[Box]:
@@ -173,20 +194,34 @@ def _middle_of(boxes: Sequence[Box]) -> Vector:
     return vector(volumes @ np.array([middle for _, middle, _ in boxes]) / volumes.sum())
 
 
-def _turned(turn: float) -> tuple[float, float, float, float]:
-    z, w = math.sin(turn / 2), math.cos(turn / 2)
-    length = math.sqrt(z * z + w * w)  # as PyBullet does, to the last digit
-    return 0.0, 0.0, z / length, w / length
+def sample_objects(
+    rng: np.random.Generator, objects: int, *, shapes: Mapping[str, float], size: Range, height: Range
+) -> tuple[Float[np.ndarray, "{objects} 4"], Float[np.ndarray, "{objects} U"]]:
+    """Draw what the objects are: s_x, s_y, d [m] and t, and what is not seen of them, if there is anything.
+
+    Args:
+        rng: Source of randomness, owned by the caller.
+        objects: How many objects.
+        shapes: How often an object is of each shape, relative to the others.
+        size: Least and greatest s_x and s_y [m].
+        height: Least and greatest d [m].
+    """
+    names, shares = [*shapes], np.array([*shapes.values()])
+    drawn = [names[number] for number in rng.choice(len(names), size=objects, p=shares / shares.sum())]
+    features = np.array([_draw(rng, shape, size, height) for shape in drawn])
+    unseen = np.zeros((objects, len(UNSEEN) if any(shape in TEST_SHAPES for shape in drawn) else 0))
+    if unseen.size:
+        numbers = ["", *TEST_SHAPES]
+        unseen[:, 0] = [numbers.index(shape) if shape in numbers else 0 for shape in drawn]
+    return features, unseen
 
 
-def draw_object(
-    rng: np.random.Generator, shape: str, size: Range, height: Range
-) -> tuple[tuple[float, ...], int]:
-    """Draw what an object of one of the `SHAPES` is, from the ranges of sizes and heights [m].
+def _draw(rng: np.random.Generator, shape: str, size: Range, height: Range) -> tuple[float, ...]:
+    """Draw the features of an object of some shape, from the ranges of sizes and heights [m].
 
     A plank is a flat solid box, one side in the upper half of the sizes and the other in the lowest quarter.
     Rings and tori are round, in the upper half of the sizes and the lower half of the heights; T, U and L
-    blocks are in the upper half of the sizes. Returned are its features, and the number of a test shape or 0.
+    blocks are in the upper half of the sizes.
     """
 
     def drawn(whole: Range, low: float = 0.0, high: float = 1.0) -> float:
@@ -194,21 +229,21 @@ def draw_object(
         least, greatest = whole
         return rng.uniform(least + low * (greatest - least), least + high * (greatest - least))
 
-    kind, number = SHAPES[shape], ("", *TEST_SHAPES).index(shape) if shape in TEST_SHAPES else 0
+    kind = SHAPES[shape]
     if shape in ("ring", "torus"):
         diameter = drawn(size, 0.5)
-        return (diameter, diameter, drawn(height, high=0.5), kind), number
+        return diameter, diameter, drawn(height, high=0.5), kind
     if shape == "plank":
         sides = [drawn(size, 0.5), drawn(size, high=0.25)]
         if rng.random() < 0.5:
             sides.reverse()
-        return (*sides, drawn(height, high=0.25), kind), number
+        return *sides, drawn(height, high=0.25), kind
     if shape == "ball":
         diameter = rng.uniform(max(size[0], height[0]), min(size[1], height[1]))
-        return (diameter, diameter, diameter, kind), number
+        return diameter, diameter, diameter, kind
     if shape == "cylinder":
         diameter = drawn(size)
-        return (diameter, diameter, drawn(height), kind), number
+        return diameter, diameter, drawn(height), kind
     if shape.endswith("-block"):
-        return (drawn(size, 0.5), drawn(size, 0.5), drawn(height), kind), number
-    return (rng.uniform(*size), rng.uniform(*size), rng.uniform(*height), kind), number
+        return drawn(size, 0.5), drawn(size, 0.5), drawn(height), kind
+    return rng.uniform(*size), rng.uniform(*size), rng.uniform(*height), kind

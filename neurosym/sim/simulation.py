@@ -8,7 +8,7 @@ import numpy as np
 from neurosym.checks import Float
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import Client, TabletopConfig, pybullet
-from neurosym.sim.shapes import UNSEEN, Body, body_of, draw_object
+from neurosym.sim.shapes import body_of, sample_objects
 from neurosym.world import Scene
 
 TABLE_FRICTION = 0.6
@@ -34,8 +34,9 @@ class Simulation:
         self.ticks = 0
         self._reset()
         self.table = self._make_table()
-        self._boxes: list[tuple[np.ndarray, np.ndarray]] = []  # in the object's frame: middles, half sizes
-        self._centres = np.zeros((len(scene), 3))  # of mass, in the objects' frames [m]
+        usual = {"wall": config.wall, "mass": config.mass, "friction": config.friction}
+        rows = zip(scene.features, scene.unseen.tolist(), strict=True)
+        self._made = [body_of(features, unseen, **usual) for features, unseen in rows]
         self.bodies = [self._make_object(scene, index) for index in range(len(scene))]
 
     def _reset(self) -> None:
@@ -55,10 +56,8 @@ class Simulation:
         return int(table)
 
     def _make_object(self, scene: Scene, index: int) -> int:
-        made = built(scene, index, self.config)
-        self._boxes.append(_around(made))
-        self._centres[index] = made.centre_of_mass
-        shape = self.client.createCollisionShapeArray(**shape_array(made, "collision"))
+        made = self._made[index]
+        shape = self.client.createCollisionShapeArray(**self.shape_of(index, "collision"))
         pose = scene.positions[index].tolist(), scene.orientations[index].tolist()
         offset = {"baseInertialFramePosition": made.centre_of_mass} if any(made.centre_of_mass) else {}
         body = self.client.createMultiBody(made.mass, shape, -1, *pose, **offset)
@@ -67,9 +66,22 @@ class Simulation:
             -1,
             lateralFriction=made.friction,
             spinningFriction=0.002,
-            rollingFriction=ROLLING_FRICTION if made.rolls else 0.0,
+            rollingFriction=ROLLING_FRICTION if made.is_ball else 0.0,
         )
         return int(body)
+
+    def shape_of(self, index: int, use: str) -> dict[str, Any]:
+        """Return what PyBullet makes the shape of an object from, for `collision` or `visual`."""
+        made = self._made[index]
+        return {
+            "shapeTypes": [pybullet.GEOM_SPHERE if made.is_ball else pybullet.GEOM_BOX] * len(made.boxes),
+            "halfExtents": [list(half) for half, _, _ in made.boxes],
+            "radii": [half[0] for half, _, _ in made.boxes],
+            f"{use}FramePositions": [list(centre) for _, centre, _ in made.boxes],
+            f"{use}FrameOrientations": [
+                pybullet.getQuaternionFromEuler((0, 0, turn)) for *_, turn in made.boxes
+            ],
+        }
 
     def step(self) -> None:
         """Advance time by one step."""
@@ -109,9 +121,10 @@ class Simulation:
     def _pose(self, index: int) -> tuple[Sequence[float], Sequence[float]]:
         """Return where the middle of an object is [m], and its orientation; PyBullet tells of its mass."""
         position, orientation = self.client.getBasePositionAndOrientation(self.bodies[index])
-        if self._centres[index].any():
+        centre = self._made[index].centre_of_mass
+        if any(centre):
             turned = np.array(pybullet.getMatrixFromQuaternion(orientation)).reshape(3, 3)
-            position = (position - turned @ self._centres[index]).tolist()
+            position = (position - turned @ centre).tolist()
         return position, orientation
 
     def height_of(self, index: int) -> float:
@@ -121,8 +134,8 @@ class Simulation:
     def boxes(self) -> Float[np.ndarray, "B 2 3"]:
         """Return least and greatest corners of what is around each box that objects are built from [m]."""
         found = []
-        for index, (centres, halves) in enumerate(self._boxes):
-            position, orientation = self._pose(index)
+        for index, made in enumerate(self._made):
+            (position, orientation), (centres, halves) = self._pose(index), made.around
             turned = np.array(pybullet.getMatrixFromQuaternion(orientation)).reshape(3, 3).T
             middles, around = position + centres @ turned, halves @ np.abs(turned)
             found.append(np.stack([middles - around, middles + around], axis=1))
@@ -132,36 +145,6 @@ class Simulation:
         """Return the bodies that a body touches."""
         contacts = self.client.getContactPoints(body)
         return {contact[2] for contact in contacts} - {body}
-
-
-def built(scene: Scene, index: int, config: TabletopConfig) -> Body:
-    """Say what an object of a scene is built from in a world."""
-    unseen = scene.unseen[index].tolist()
-    like = {"wall": config.wall, "mass": config.mass, "friction": config.friction}
-    return body_of(scene.features[index], unseen, **like)
-
-
-def shape_array(body: Body, use: str) -> dict[str, Any]:
-    """Return what PyBullet makes the shape of a body from, to collide with or to be seen (`visual`)."""
-    kinds = {"box": pybullet.GEOM_BOX, "sphere": pybullet.GEOM_SPHERE}
-    return {
-        "shapeTypes": [kinds[part.kind] for part in body.parts],
-        "halfExtents": [[edge / 2 for edge in (part.size * 3)[:3]] for part in body.parts],
-        "radii": [part.size[0] for part in body.parts],
-        f"{use}FramePositions": [list(part.position) for part in body.parts],
-        f"{use}FrameOrientations": [list(part.orientation) for part in body.parts],
-    }
-
-
-def _around(body: Body) -> tuple[Float[np.ndarray, "B 3"], Float[np.ndarray, "B 3"]]:
-    """Return middles and half sizes of boxes around the parts of a body, in its frame [m]."""
-    middles, halves = [], []
-    for part in body.parts:
-        turned = np.abs(np.array(pybullet.getMatrixFromQuaternion(part.orientation)).reshape(3, 3))
-        half = [part.size[0]] * 3 if part.kind == "sphere" else [edge / 2 for edge in part.size]
-        middles.append(part.position)
-        halves.append(turned @ half)
-    return np.array(middles), np.array(halves)
 
 
 # Scenes drawn at random: objects of every shape and size, at rest and apart from one another
@@ -181,7 +164,9 @@ def sample_scene(config: TabletopConfig, rng: np.random.Generator, objects: int)
     if objects < 1:
         raise InvalidValue(f"A scene needs at least one object, not {objects}.")
     for _ in range(_DRAWS):
-        features, unseen = sample_objects(config, rng, objects)
+        features, unseen = sample_objects(
+            rng, objects, shapes=config.shapes, size=config.size, height=config.height
+        )
         places = _sample_places(config, rng, features[:, :2] / 2)
         if places is not None:
             return Scene(
@@ -191,26 +176,6 @@ def sample_scene(config: TabletopConfig, rng: np.random.Generator, objects: int)
                 unseen=unseen,
             )
     raise InvalidValue(f"{objects} objects do not fit on the table; ask for fewer.")
-
-
-def sample_objects(
-    config: TabletopConfig, rng: np.random.Generator, objects: int
-) -> tuple[Float[np.ndarray, "{objects} 4"], Float[np.ndarray, "{objects} U"]]:
-    """Draw what the objects are: s_x, s_y, d [m] and t, and what is not seen of them, if there is anything.
-
-    Args:
-        config: The world.
-        rng: Source of randomness, owned by the caller.
-        objects: How many objects.
-    """
-    names = list(config.shapes)
-    shares = np.array([config.shapes[name] for name in names])
-    drawn = rng.choice(len(names), size=objects, p=shares / shares.sum())
-    rows = [draw_object(rng, names[shape], config.size, config.height) for shape in drawn]
-    unseen = np.zeros((objects, len(UNSEEN) if any(number for _, number in rows) else 0))
-    if unseen.size:
-        unseen[:, 0] = [number for _, number in rows]
-    return np.array([features for features, _ in rows]), unseen
 
 
 def _sample_places(

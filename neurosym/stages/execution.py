@@ -24,7 +24,7 @@ from neurosym.stages.console import say, shown_doing
 from neurosym.stages.folder import DomainFolder, Stage
 from neurosym.stages.layout import GROUNDING, RUNS, WORLD, run_file, run_name, scene_file
 from neurosym.stages.painting import painted_world
-from neurosym.stages.pasts import remember
+from neurosym.stages.past_files import remember
 from neurosym.stages.plan_records import record_beside
 from neurosym.stages.planning import load_problem, remarks_on_objects
 from neurosym.tasks.transition import hand_problem

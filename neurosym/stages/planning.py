@@ -19,8 +19,17 @@ from neurosym.planners.registry import check_options, plan, planner_named
 from neurosym.problems import Problem, check_on_table
 from neurosym.stages.compilation import print_beside, print_problem
 from neurosym.stages.folder import DomainFolder, Stage, load_scene
-from neurosym.stages.layout import GROUNDING, MODEL, WORLD, plan_files, printed_file, scene_file, steps_file
-from neurosym.stages.pasts import past_files, with_past
+from neurosym.stages.layout import (
+    GROUNDING,
+    MODEL,
+    PASTS,
+    WORLD,
+    plan_files,
+    printed_file,
+    scene_file,
+    steps_file,
+)
+from neurosym.stages.past_files import with_past
 from neurosym.stages.plan_records import write_plan
 from neurosym.tasks.goal_choice import with_goals
 from neurosym.tasks.promises import is_rehearsed
@@ -157,8 +166,9 @@ def plan_stage(
     if made_by and (folder / plan_file).exists():
         _refuse_namesake(folder, stage, made_by, plan_file)
     printed_again = tuple(printed_file(name, each) for each in ENCODINGS)
+    pasts = (f"{PASTS}/{path.name}" for path in sorted((folder / PASTS).glob("*.json")))
     read = (MODEL,) if chosen.reads == "network" else ()
-    inputs = (scene_file(name), GROUNDING, *read, *past_files(folder))
+    inputs = (scene_file(name), GROUNDING, *read, *pasts)
 
     def work() -> None:
         grounding = Grounding.load(folder.require(GROUNDING))

@@ -16,7 +16,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Category, Operator, Symbol, vector
 from neurosym.pair_operators import rotation
 from neurosym.problems import Problem, SceneObject
-from neurosym.tasks.pasts import LEAST_CHANCE, laid
+from neurosym.tasks.pasts import LEAST_CHANCE, as_it_lies
 from neurosym.tasks.promises import refined
 from neurosym.world import Outcome, OutcomeKind, heading, turned_by
 
@@ -134,8 +134,10 @@ def as_it_shows(item: SceneObject, grounding: Grounding) -> SceneObject:
         apart = (objects - features) / np.maximum(objects.std(0), 1e-9)
         category = rehearsed[int(np.argmin((apart**2).sum(1)))][1]
     lies = item.orientation if is_askew else _about(_turn(item, grounding))
-    shows = msgspec.structs.replace(item, features=features, category=category)
-    return laid(shows, lies, grounding.turned)
+    past = item.past
+    if past is not msgspec.UNSET:  # what it did as it lies, it did as it counts
+        past = tuple(msgspec.structs.replace(one, lay=lies) for one in as_it_lies(item, grounding.turned))
+    return msgspec.structs.replace(item, features=features, category=category, orientation=lies, past=past)
 
 
 def _along(item: SceneObject, grounding: Grounding) -> Float[np.ndarray, "3 3"]:

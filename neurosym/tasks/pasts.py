@@ -14,7 +14,6 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Mode, Operator, Vector, vector
 from neurosym.pair_operators import rotation
 from neurosym.problems import Problem, SceneObject, Trial
@@ -37,7 +36,7 @@ GIVEN_UP = 2
 SLIPPERY = 3
 """An object that was missed so often, and never carried, is not tried to be carried by other operators."""
 EXPECTED, UNFAMILIAR = 2.0, 0.9
-"""As how many motions an object counts of which nothing was seen, that were expected to keep their promise,
+"""As how many motions of a kind an object counts beside those that were seen, expected to keep their promise,
 and which share of these does: it may be unlike all that were learned of.
 
 Chosen on 163 objects of shapes never seen and with properties that no feature shows, on seeds of their own.
@@ -63,10 +62,10 @@ def motion_of(operator: Operator) -> str:
     return f"{_TO}{operator.label}" if operator.frame == "place" else operator.label
 
 
-def trial_of(outcome: Outcome, operator: Operator, grounding: Grounding) -> Trial:
-    """Say what became of an object, in the frame in which motions are learned."""
+def trial_of(outcome: Outcome, operator: Operator, turned: bool) -> Trial:
+    """Say what became of an object, in the frame in which motions are learned; these may turn as it lies."""
     lay = outcome.start.orientations[outcome.target]
-    turn = heading(lay) if grounding.turned else 0.0
+    turn = heading(lay) if turned else 0.0
     effects = outcome.effect, outcome.resting_effect
     if operator.frame == "object":
         effects = turned_by(-turn, effects[0]), turned_by(-turn, effects[1])
@@ -104,72 +103,49 @@ def as_it_lies(item: SceneObject, turned: bool) -> tuple[Trial, ...]:
     return tuple(one for one, cosine in between if math.acos(min(1.0, max(-1.0, cosine))) < _AS_IT_LAY)
 
 
-def laid(item: SceneObject, orientation: tuple[float, float, float, float], turned: bool) -> SceneObject:
-    """Return an object that counts as if it lay otherwise, and had lain so whenever it lay as it does."""
-    past = tuple(msgspec.structs.replace(one, lay=orientation) for one in as_it_lies(item, turned))
-    known = item.past if item.past is msgspec.UNSET else past
-    return msgspec.structs.replace(item, orientation=orientation, past=known)
-
-
 def _axes(orientation: Sequence[float], turned: bool) -> Float[np.ndarray, "3 3"]:
     """Return the axes of an object, as columns, turned back about the vertical as motions are."""
     lies = np.array(orientation)
     return np.asarray(turned_by(-heading(lies) if turned else 0.0, rotation(lies).T).T)
 
 
-class Belief(NamedTuple):
-    """What is believed of an operator on an object."""
-
-    operator: Operator  # the operator, as it promises for such an object of which nothing was seen
-    promise: Mode  # what it promises to do
-    share: float  # how often it keeps that
-
-
 def promised_after(
-    operators: Mapping[str, Operator], past: Sequence[Trial], tolerance: float
+    own: Mapping[str, Operator], known: Iterable[Operator], past: Sequence[Trial], tolerance: float
 ) -> dict[str, Operator]:
-    """Return the operators on an object, by name, as they promise after its past; see `beliefs`."""
-    believed = beliefs(operators, past, tolerance)
-    usual = {name: msgspec.structs.replace(one, company=()) for name, one in operators.items()}
-    return usual | {
-        name: _promising(usual[name], one.promise, one.share)
-        for name, one in believed.items()
-        if one.promise != one.operator.promise or one.share != _share(one.operator)
-    }
-
-
-def beliefs(operators: Mapping[str, Operator], past: Sequence[Trial], tolerance: float) -> dict[str, Belief]:
-    """Say what is believed of the operators on an object that promise something, by name, after its past.
+    """Return the operators on an object, by name, as they promise after its past.
 
     What was done by other motions of its kind tells how reliable the object is: how much was kept beside what
     had been expected, and beside what is so of an object of which nothing was seen; see `EXPECTED`.
 
     Args:
-        operators: As they promise for such an object of which nothing was seen.
+        own: What is learned of its category, as it promises for such an object of which nothing was seen.
+        known: All that is learned; what grasps objects of other categories may grasp it, too.
         past: What was seen of it while it lay as it does now.
         tolerance: An outcome that comes within this of the promise has kept it [m].
     """
     seen = dict[str, list[Trial]]()
     for one in past:
         seen.setdefault(one.motion, []).append(one)
-    evidence = _evidence(operators, seen, tolerance)
+    usual = {one.name: msgspec.structs.replace(one, company=()) for one in own.values()}
+    usual |= _borrowed(known, own.values())
+    evidence = _evidence(usual, seen, tolerance)
     carried = [one.kind == "carried" for one in past if one.motion.startswith(_TO) and not one.forgotten]
     is_slippery = len(carried) >= SLIPPERY and not any(carried)
-    found = dict[str, Belief]()
-    for name, operator in operators.items():
-        if (promise := operator.promise) is None:
-            continue
-        rows = seen.get(motion_of(operator), [])
-        if operator.frame == "place" and is_slippery:
-            told = promise, 0.0
+    found = dict[str, Operator]()
+    for name, operator in usual.items():
+        promise, rows = operator.promise, seen.get(motion_of(operator), [])
+        if promise is None:
+            found[name] = operator
+        elif operator.frame == "place" and is_slippery:
+            found[name] = _promising(operator, promise, 0.0)
         elif is_given_up(operator, rows, tolerance):
-            told = _instead(promise, rows)
-        else:
-            outcomes = [one for one in rows if not one.forgotten]
+            found[name] = _promising(operator, *_instead(promise, rows))
+        elif (outcomes := [one for one in rows if not one.forgotten]) or evidence:
             mode, kept = _weighed_mode(promise, outcomes, tolerance)
             prior = min(1.0, _share(operator) * _reliability(operator, evidence))
-            told = mode, _chance(prior, outcomes, kept)
-        found[name] = Belief(operator, *told)
+            found[name] = _promising(operator, mode, _chance(prior, outcomes, kept))
+        else:
+            found[name] = operator
     return found
 
 
@@ -205,22 +181,22 @@ def _reliability(operator: Operator, evidence: Mapping[str, _Shown]) -> float:
     others = [
         one for motion, one in evidence.items() if motion != motion_of(operator) and one.grasps == grasps
     ]
+    if not others:
+        return 1.0
     kept, expected = math.fsum(one.kept for one in others), math.fsum(one.expected for one in others)
     return (UNFAMILIAR * EXPECTED + kept) / (EXPECTED + expected)
 
 
-def borrowed(known: Iterable[Operator], own: Iterable[Operator]) -> dict[str, Operator]:
-    """Return what grasps objects of other categories, by name, as it promises of an object that is none.
+def _borrowed(known: Iterable[Operator], own: Iterable[Operator]) -> dict[str, Operator]:
+    """Return what grasps objects of other categories, by name, as it promises of an object that is of none.
 
-    Args:
-        known: All operators that there are.
-        own: Those for the object's category; what they do is not tried by the same motions again.
+    The motions of its own category are left out.
     """
     motions, found = {motion_of(one) for one in own}, dict[str, Operator]()
     for operator in known:
         motion, promise = motion_of(operator), operator.promise
-        if promise and promise.kind in GRASPED and motion not in motions:
-            plain = msgspec.structs.replace(operator, rehearsals=(), objects=())
+        if operator.frame != "pair" and promise and promise.kind in GRASPED and motion not in motions:
+            plain = msgspec.structs.replace(operator, rehearsals=(), objects=(), company=())
             one = _promising(plain, promise, BORROWED * _share(operator))
             if motion not in found or one.successes > found[motion].successes:
                 found[motion] = one

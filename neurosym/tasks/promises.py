@@ -19,7 +19,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import TOLERANCE, Category, Mode, Operator, OperatorTable, vector
 from neurosym.problems import SceneObject, Trial
 from neurosym.regression import Choice, Regression, fit, found_for
-from neurosym.tasks.pasts import LEAST_CHANCE, Belief, as_it_lies, beliefs, borrowed, promised_after
+from neurosym.tasks.pasts import LEAST_CHANCE, as_it_lies, promised_after
 from neurosym.world import heading, turned_by
 
 _LEAST_REHEARSALS = 8  # with fewer that ended as promised, nothing is refined
@@ -140,38 +140,13 @@ def _promised(
     turn: float,
     past: tuple[Trial, ...] | None,
 ) -> Mapping[str, Operator]:
-    if past is None:
-        found = _as_learned(grounding, category, features, tolerance)
-    else:
-        found = promised_after(_with_others(grounding, category, features, tolerance), past, tolerance)
-    return MappingProxyType({name: _turned(one, turn) for name, one in found.items()})
-
-
-def believed(grounding: Grounding, item: SceneObject, tolerance: float = TOLERANCE) -> dict[str, Belief]:
-    """Return what is believed of all that can be tried with an object, by its past; see `promised`.
-
-    It is seen from how the object lies.
-    """
-    operators = _with_others(grounding, item.category, item.features, tolerance)
-    return beliefs(operators, as_it_lies(item, grounding.turned), tolerance)
-
-
-def _with_others(
-    grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float
-) -> dict[str, Operator]:
-    """Return what is learned of an object's category, and how other categories are grasped."""
-    others = (one for one in grounding.operators if one.frame != "pair")
-    own = _as_learned(grounding, category, features, tolerance)
-    return own | borrowed(others, own.values())
-
-
-def _as_learned(
-    grounding: Grounding, category: str, features: tuple[float, ...], tolerance: float
-) -> dict[str, Operator]:
     learned = grounding.category(category)
     own, is_known = grounding.operators_on(category), is_rehearsed(learned, features)
     promises = (refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own)
-    return {one.name: one for one in promises}
+    found = {one.name: one for one in promises}
+    if past is not None:
+        found = promised_after(found, grounding.operators, past, tolerance)
+    return MappingProxyType({name: _turned(one, turn) for name, one in found.items()})
 
 
 def _turned(operator: Operator, angle: float) -> Operator:

@@ -1,6 +1,6 @@
 """Objects that nothing was learned of: shapes never seen, and hidden properties; and what shall be done."""
 
-from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 import msgspec
 import numpy as np
@@ -12,7 +12,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Symbol, symbols_of
 from neurosym.problems import Problem, SceneObject
 from neurosym.sim.config import TabletopConfig
-from neurosym.sim.shapes import LEARNED_SHAPES, TEST_SHAPES, UNSEEN
+from neurosym.sim.shapes import OPEN_TOP, TEST_SHAPES, UNSEEN
 from neurosym.sim.simulation import sample_scene
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.problem_making import sight_of_pairs
@@ -22,20 +22,11 @@ from neurosym.world import Scene
 from tools.benchmarks.carrying.tasks import is_graspable
 
 SHAPES = tuple(TEST_SHAPES)
-Draw = Callable[[np.random.Generator], float]
-
-
-def _either_end(rng: np.random.Generator) -> float:
-    return float(rng.choice([-1.0, 1.0]) * rng.uniform(0.5, 0.9))
-
-
-LOOKALIKES: Mapping[str, tuple[str, Draw]] = {
-    "heavy": ("mass", lambda rng: float(np.exp(rng.uniform(np.log(0.2), np.log(3.0))))),
-    "slippery": ("friction", lambda rng: rng.uniform(0.1, 0.4)),
-    "heavy end": ("heavy_end", _either_end),
-    "false bottom": ("false_bottom", lambda rng: rng.uniform(0.4, 0.85)),
-}
-"""What of them is hidden, and how it is drawn; masses in kg, all else as `UNSEEN` says."""
+LOOKALIKE = "look-alike"
+"""An object as domains are learned with, whose mass, friction, and floor or centre of mass are others."""
+MASS, FRICTION, LOPSIDED, FLOOR = (0.02, 3.0), (0.1, 1.2), (0.5, 0.9), (0.4, 0.85)
+"""From where to where these are drawn: masses in kg, evenly by their logarithm; floors of open-topped boxes,
+and how far off the middle the centre of mass of all else lies, either way, as `UNSEEN` says."""
 AWAY, NEAR = 0.15, 0.25
 """How far goals are at least; and at most, where objects are pushed [m]."""
 EDGE = 0.01  # objects stand so far inside the table's edge [m]
@@ -46,17 +37,17 @@ _TENTH = 0.1
 
 
 def object_of(kind: str, rng: np.random.Generator) -> Scene:
-    """Draw an object of a test shape, or one as domains are learned with, with a hidden property if named."""
-    shapes = {kind: 1.0} if kind in TEST_SHAPES else dict.fromkeys(LEARNED_SHAPES, 1.0)
-    scene = sample_scene(
-        TabletopConfig(shapes={"open-box": 1.0} if kind == "false bottom" else shapes), rng, 1
-    )
-    if kind not in LOOKALIKES:
-        return scene
-    name, draw = LOOKALIKES[kind]
-    unseen = np.zeros((1, len(UNSEEN)))
-    unseen[0, [*UNSEEN].index(name)] = draw(rng)
-    return Scene(scene.features, scene.positions, scene.orientations, unseen=unseen)
+    """Draw an object of a test shape, or a look-alike."""
+    if kind in TEST_SHAPES:
+        return sample_scene(TabletopConfig(shapes={kind: 1.0}), rng, 1)
+    scene, hidden = sample_scene(TabletopConfig(), rng, 1), dict.fromkeys(UNSEEN, 0.0)
+    hidden["mass"] = float(np.exp(rng.uniform(*np.log(MASS))))
+    hidden["friction"] = rng.uniform(*FRICTION)
+    if scene.features[0, 3] == OPEN_TOP:
+        hidden["false_bottom"] = rng.uniform(*FLOOR)
+    else:
+        hidden["heavy_end"] = float(rng.choice([-1.0, 1.0])) * rng.uniform(*LOPSIDED)
+    return replace(scene, unseen=np.array([[*hidden.values()]]))
 
 
 def pushing(grounding: Grounding) -> Grounding:

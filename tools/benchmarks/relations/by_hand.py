@@ -13,7 +13,8 @@ import numpy as np
 
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.shapes import LEARNED_SHAPES as SHAPES
-from neurosym.sim.simulation import sample_objects, sample_scene
+from neurosym.sim.shapes import sample_objects
+from neurosym.sim.simulation import sample_scene
 from neurosym.world import OtherObject, Outcome, Scene
 from neurosym.worlds.workers import Perform, Task, crew, perform_all
 from tools.benchmarks.relations.geometry import relation
@@ -45,8 +46,9 @@ def _task(shape: str, under: str, seed: Sequence[int]) -> Task:
     rng = np.random.default_rng(seed)
     while True:
         scene = sample_scene(TabletopConfig(), rng, 2)
-        configs = [TabletopConfig(shapes={name: 1.0}) for name in (shape, under)]
-        features = np.vstack([sample_objects(config, rng, 1)[0] for config in configs])
+        sizes = {"size": TabletopConfig().size, "height": TabletopConfig().height}
+        drawn = [sample_objects(rng, 1, shapes={name: 1.0}, **sizes)[0] for name in (shape, under)]
+        features = np.vstack(drawn)
         positions = np.column_stack([scene.positions[:, :2], features[:, 2] / 2])
         gap = np.abs(np.subtract(*positions)) - features[:, :3].sum(0) / 2
         action = carry_to(features[TARGET])

@@ -1,5 +1,6 @@
-"""Meeting: one try of an object, from where it stands in a scene, with the other objects taken aside."""
+"""Tries of an object: what a plan would do first is performed from where the object stands."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import msgspec
@@ -8,11 +9,12 @@ import numpy as np
 from neurosym.errors import InvalidValue
 from neurosym.execution.performance import perform
 from neurosym.grounding import Grounding
+from neurosym.operators import Operator
 from neurosym.planners.registry import plan
 from neurosym.problems import Problem, SceneObject, Trial
-from neurosym.tasks.pasts import keeps, past_of, trial_of
+from neurosym.tasks.pasts import GRASPED, keeps, motion_of, past_of, trial_of
+from neurosym.tasks.promises import promised
 from neurosym.tasks.transition import PlanStep
-from neurosym.tasks.tries import next_try
 from neurosym.world import Table, World
 
 _STREAM = 0x6D656574  # keeps the randomness of tries apart from any other
@@ -53,11 +55,9 @@ def try_once(world: World, scene: Problem, grounding: Grounding) -> Tried | None
     """
     (item,) = scene.objects
     steps = plan(scene, grounding).steps if scene.unmet else ()
-    chosen = next_try(item, grounding, [step.base for step in steps])
-    if chosen is None:
+    operator, aim = _next(item, grounding, [step.base for step in steps]), None
+    if operator is None or (promise := operator.promise) is None:
         return None
-    operator, promise = chosen
-    aim = None
     if operator.frame == "place":
         x, y = _place(item, grounding.table)
         aim = grounding.table.nearest(x - promise.resting_effect[0], y - promise.resting_effect[1])
@@ -65,8 +65,27 @@ def try_once(world: World, scene: Problem, grounding: Grounding) -> Tried | None
     outcome = perform(world, scene, grounding, step, scene.scene(), put_down=True, reference=aim)
     if outcome is None:
         raise InvalidValue(f"{item.name} is out of the arm's reach; move it nearer to the table's middle.")
-    trial = trial_of(outcome, operator, grounding)
+    trial = trial_of(outcome, operator, grounding.turned)
     return Tried(operator.name, trial, keeps(promise, trial))
+
+
+def _next(item: SceneObject, grounding: Grounding, planned: Sequence[str]) -> Operator | None:
+    """Choose what to try with an object that may have a past, as it promises; None if there is nothing.
+
+    That is the first motion of a plan that was not tried; then what carries, and then the surest. The same
+    motion mostly does the same again, so that others tell more.
+    """
+    past = past_of(item)
+    known = promised(grounding, msgspec.structs.replace(item, past=past)).values()
+    tried = {one.motion for one in past}
+    promising = [one for one in known if one.promise]
+    untried = {one.name: one for one in promising if motion_of(one) not in tried}
+    if first := next((untried[name] for name in planned if name in untried), None):
+        return first
+    ranked = sorted(
+        untried.values() or promising, key=lambda one: (one.frame != "place", -one.chance, one.name)
+    )
+    return next(iter(ranked), None)
 
 
 def _place(item: SceneObject, table: Table) -> tuple[float, float]:
@@ -78,3 +97,15 @@ def _place(item: SceneObject, table: Table) -> tuple[float, float]:
         spot = rng.uniform(low + half, high - half)
         if np.linalg.norm(spot - item.position[:2]) >= _NEAR:
             return float(spot[0]), float(spot[1])
+
+
+def said_of(item: SceneObject, grounding: Grounding) -> str:
+    """Say in a sentence what an object of some past looks like, and how it is best handled."""
+    known = promised(grounding, msgspec.structs.replace(item, past=past_of(item)))
+    grasping = [one for one in known.values() if one.promise and one.promise.kind in GRASPED]
+    said = f"{item.name} looks like {grounding.category(item.category).name}"
+    if not grasping:
+        return f"{said}; nothing grasps such objects"
+    surest = max(grasping, key=lambda one: (one.chance, one.name))
+    handled = "so" if surest.subject == item.category else f"like {grounding.category(surest.subject).name}"
+    return f"{said}, and is best grasped {handled}: {surest.name}, {surest.chance:.0%} likely"
