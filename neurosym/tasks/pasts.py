@@ -170,7 +170,7 @@ def _evidence(
         motion, promise = motion_of(operator), operator.promise
         rows = [one for one in seen.get(motion, ()) if not (one.forgotten or one.crowded)]
         if promise and rows and motion not in found:
-            _, kept = _weighed_mode(promise, rows, tolerance)
+            kept = [keeps(promise, one, max(tolerance, TOLERANCE)) for one in rows]
             found[motion] = _Shown(promise.kind in GRASPED, float(np.mean(kept)), operator.chance)
     return found
 

@@ -138,18 +138,22 @@ def try_unseen(kind: str, shape: str, seeds: Sequence[int]) -> list[Any]:
 
 
 def try_lookalikes(kind: str, seeds: Sequence[int]) -> list[Any]:
-    """Plan for look-alikes after each number of tries, and perform the first motion: whether it was right."""
+    """Plan for look-alikes after each number of tries, and perform the first motion.
+
+    Kept is how far it ended from its promise [m], if it ended in that way, else None.
+    """
     found = []
     for seed in seeds:
         bench, task, grounding = drawn(kind, tasks.LOOKALIKE, seed)
         solve = planner_of(bench.setting, PLANNER, time_limit=TIME_LIMIT)
-        firsts: list[bool | None] = []
+        firsts: list[float | None] = []
         for problem in met(bench, task, grounding):
             plan = solve(problem, grounding)
             steps = plan.steps if plan.status is PlanStatus.SOLVED else ()
             begun = steps[: 2 if len(steps) > 1 and steps[1].puts_down else 1]
             run = execute(bench.setting.world, problem, grounding, begun)
-            firsts.append(run.steps[0].as_promised if run.steps else None)
+            first = run.steps[0] if run.steps else None
+            firsts.append(first.apart if first and first.happened == first.promised else None)
         found.append(firsts)
     return found
 

@@ -1,0 +1,95 @@
+"""Meeting objects: what they do when they are tried is kept by their names, and planned with."""
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from command_line import contents, neurosym, refusal
+
+ROOT = Path(__file__).parents[2]
+TASK = "anywhere-1-01"
+
+
+@pytest.fixture
+def folder(tmp_path) -> Path:
+    place = tmp_path / "places"
+    shutil.copytree(
+        ROOT / "domains" / "places", place, ignore=shutil.ignore_patterns("runs", "interactions.npz")
+    )
+    return place
+
+
+def past(folder: Path, name: str = "item-01") -> dict:
+    return json.loads((folder / "pasts" / f"{name}.json").read_text())
+
+
+def test_tries_go_on_where_they_ended_and_are_forgotten_on_demand(folder, tmp_path, capsys):
+    other = tmp_path / "other"
+    shutil.copytree(folder, other)
+    assert neurosym("meet", folder, TASK, "--tries", 1) == 0
+    assert neurosym("meet", folder, TASK, "--tries", 2) == 0
+    assert neurosym("meet", other, TASK, "--tries", 2) == 0
+    assert contents(folder / "pasts") == contents(other / "pasts")
+    assert len(past(folder)["trials"]) == 2
+    assert past(folder)["trials"][0]["motion"] != past(folder)["trials"][1]["motion"]
+    capsys.readouterr()
+    assert neurosym("meet", folder, TASK, "--tries", 2) == 0
+    said = capsys.readouterr().out
+    assert "item-01 looks like" in said
+    assert "(tried 2 times)" in said
+    assert contents(folder / "pasts") == contents(other / "pasts")
+    assert neurosym("meet", folder, TASK, "--forget", "--tries", 0) == 0
+    assert not (folder / "pasts" / "item-01.json").exists()
+
+
+def test_plans_and_runs_of_what_was_met_go_by_its_past_and_add_to_it(folder, capsys):
+    assert neurosym("meet", folder, TASK, "--tries", 1) == 0
+    assert neurosym("plan", folder, TASK) == 0
+    plan = folder / "plans" / f"{TASK}.fast-downward.plan"
+    (tried,) = past(folder)["trials"]
+    assert tried["kind"] == "carried"
+    first = plan.read_text()
+    for _ in range(2):  # what a run showed is known once, however often it is run
+        assert neurosym("execute", folder, TASK, plan) == 0
+        assert [one.get("run", "") for one in past(folder)["trials"]] == ["", f"{TASK}.fast-downward"]
+    missed = {**tried, "kind": "missed"}
+    (folder / "pasts" / "item-01.json").write_text(json.dumps({**past(folder), "trials": [missed] * 3}))
+    capsys.readouterr()
+    neurosym("plan", folder, TASK)
+    assert plan.read_text() != first if plan.exists() else True
+    assert "carry-to" not in capsys.readouterr().out
+
+
+def test_a_past_of_another_object_is_refused_by_who_meets_and_left_aside_by_plans(folder, capsys):
+    assert neurosym("meet", folder, TASK, "--tries", 1) == 0
+    said = past(folder)
+    said["features"][0] += 0.01
+    (folder / "pasts" / "item-01.json").write_text(json.dumps(said))
+    capsys.readouterr()
+    found = refusal(capsys, "meet", folder, TASK, "--tries", 2)
+    assert "it is the past of another object" in found
+    assert "--forget" in found
+    assert neurosym("plan", folder, TASK) == 0
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [("{}", "name"), ('{"format": "neurosym-past-9"}', "format"), ("nonsense", "JSON"), ("[1]", "array")],
+)
+def test_a_damaged_past_is_told_of_in_one_sentence(folder, capsys, content, said):
+    (folder / "pasts").mkdir()
+    (folder / "pasts" / "item-01.json").write_text(content)
+    assert said in refusal(capsys, "plan", folder, TASK)
+
+
+def test_what_cannot_be_met_is_told_of_in_one_sentence(folder, capsys):
+    assert "item-09" in refusal(capsys, "meet", folder, TASK, "--object", "item-09")
+    assert "no-such" in refusal(capsys, "meet", folder, "no-such")
+    scene = folder / "problems" / f"{TASK}.scene.json"
+    document = json.loads(scene.read_text())
+    document["objects"][0]["position"][0] += 0.4
+    document["goals"] = {"item-01": document["goals"]["item-01"]}
+    scene.write_text(json.dumps(document))
+    assert "off the table" in refusal(capsys, "meet", folder, TASK)
+    assert not (folder / "pasts").exists()
