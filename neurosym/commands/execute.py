@@ -6,7 +6,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Optional
 
-import msgspec
 from tyro.conf import Positional, arg
 
 from neurosym.checks import check_count
@@ -161,9 +160,8 @@ def meet(
     Each try begins as the scene says, without the other objects, and is the one that tells most. Plans count
     what an object did from then on, and runs with it add to that. `--forget --tries 0` only forgets.
     """
-    from neurosym.execution.tries import said_of
     from neurosym.grounding import Grounding
-    from neurosym.stages.meeting import Meeting
+    from neurosym.stages.meeting import Meeting, met_in_words
     from neurosym.stages.past_files import Past, forget_pasts, load_past
     from neurosym.stages.planning import load_problem
     from neurosym.stages.value_stages import is_of_values
@@ -186,10 +184,9 @@ def meet(
         rows = [row for one in meetings for row in _tried(one, tries)] if tries else []
         if rows:
             show_table("tries", ["object", "motion", "what came", "as promised"], rows)
-        for item in items:
-            if past := load_past(domain, item):
-                known = msgspec.structs.replace(item, past=past.trials)
-                say(f"{said_of(known, grounding)} (tried {counted(len(past.trials), 'time')})")
+        for line in met_in_words(domain, grounding):
+            if line.partition(" ")[0] in names:
+                say(line)
     if tries:
         say(f"wrote {folder / PASTS}")
         say_next(f"neurosym plan {quoted(folder)} {name}")

@@ -261,7 +261,9 @@ def explain(
         show_screen,
         show_values,
     )
+    from neurosym.grounding import Grounding
     from neurosym.report.explanation import explain_folder
+    from neurosym.stages.meeting import met_in_words
     from neurosym.stages.value_stages import domain_of, is_of_values
 
     answer, domain = answer_in(json), opened(folder)
@@ -284,6 +286,9 @@ def explain(
         show_explanation(explanation)
     else:
         show_screen(explanation)
+    if (domain / GROUNDING).is_file() and not (output or is_whole):
+        for line in met_in_words(domain, Grounding.load(domain / GROUNDING)):
+            say(line)
     first = explanation.actions[0].symbol if explanation.actions else ""
     if not (output or is_whole):
         say("all of one symbol: --symbol SYMBOL; of every symbol: --all, or --output FILE.md")

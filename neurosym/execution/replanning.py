@@ -18,8 +18,10 @@ from neurosym.tasks.pasts import (
     GIVEN_UP,
     LEAST_CHANCE,
     as_it_lies,
+    forgetting,
     is_given_up,
     motion_of,
+    past_of,
     trial_of,
     with_pasts,
 )
@@ -48,6 +50,7 @@ class Experience:
     grounding: Grounding  # what was learned of their categories
     _seen: dict[str, list[Trial]] = field(default_factory=dict)  # of each object, by its name
     _kept: dict[_Key, list[bool]] = field(default_factory=dict)
+    _hopes: bool = False  # whether what objects did before is forgotten, too
     _patience: int = GIVEN_UP
     _let_lie: Counter[_Key] = field(default_factory=Counter)  # how often an operator let an object lie
 
@@ -70,7 +73,7 @@ class Experience:
             for name, rows in self._seen.items()
         }
         patience = LAST_HOPE if self._kept else self._patience
-        return Experience(self.grounding, seen, self._kept, patience, self._let_lie)
+        return Experience(self.grounding, seen, self._kept, True, patience, self._let_lie)
 
     def learn(self, step: PlanStep, outcome: Outcome) -> Trial | None:
         """Remember what a step did, and return what it did to the object by itself, if it did that."""
@@ -97,7 +100,7 @@ class Experience:
         upright = tuple(name for name in problem.upright if name not in given_up)
         problem = msgspec.structs.replace(problem, upright=upright)
         lie = lying(problem, self.grounding)
-        problem = with_pasts(problem, self._seen)
+        problem = with_pasts(forgetting(problem) if self._hopes else problem, self._seen)
         objects = [
             item if lie.get(item.name) else as_it_shows(item, self.grounding) for item in problem.objects
         ]
@@ -193,7 +196,8 @@ def new_plan(
     effort for all new plans is spent, no more are asked for.
     """
     reason, effort = "", effort or Effort()
-    hopes = [experience.hoping_again(seen)] if experience._seen or experience._kept else []
+    is_known = experience._seen or experience._kept or any(map(past_of, seen.objects))
+    hopes = [experience.hoping_again(seen)] if is_known else []
     for believing in (experience, *hopes):
         for task in (seen, *_for_fewer(seen, believing)):
             if effort.is_used_up:

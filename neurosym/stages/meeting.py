@@ -1,15 +1,32 @@
 """Meeting the objects of a scene: what they do when they are tried is kept in their pasts."""
 
-import msgspec
+from collections.abc import Iterator
 
-from neurosym.errors import InvalidFile
-from neurosym.execution.tries import Tried, alone, try_once
+import msgspec
+import numpy as np
+
+from neurosym.errors import InvalidFile, counted
+from neurosym.execution.tries import Tried, alone, said_of, try_once
 from neurosym.grounding import Grounding
-from neurosym.problems import Problem, check_on_table
+from neurosym.operators import symbols_of
+from neurosym.problems import Problem, SceneObject, check_on_table
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.past_files import Past
 from neurosym.world import World
+
+
+def met_in_words(folder: DomainFolder, grounding: Grounding) -> Iterator[str]:
+    """Say of each object that was met, by name, what it looks like and how it is best handled."""
+    paths = sorted((folder / layout.PASTS).glob("*.json"))
+    pasts = [Past.load(path) for path in paths]
+    if not pasts or not (folder / layout.MODEL).is_file():
+        return
+    symbols = symbols_of(folder.network().object_symbols, np.array([past.features for past in pasts]))
+    for past, symbol in zip(pasts, symbols, strict=True):
+        standing = (0.0, 0.0, past.features[2] / 2)
+        item = SceneObject(past.name, symbol, past.features, standing, past=past.trials)
+        yield f"{said_of(item, grounding)} (tried {counted(len(past.trials), 'time')})"
 
 
 class Meeting:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -32,6 +33,7 @@ from neurosym.stages.layout import (
 from neurosym.stages.past_files import with_past
 from neurosym.stages.plan_records import write_plan
 from neurosym.tasks.goal_choice import with_goals
+from neurosym.tasks.pasts import forgetting
 from neurosym.tasks.promises import is_rehearsed
 from neurosym.tasks.task import is_relational, understand
 from neurosym.world import World
@@ -184,15 +186,12 @@ def plan_stage(
                 f"The problem {problem.name} is one of relations, for which there are no nearest points; "
                 "leave this option out."
             )
-        result = plan(
-            problem,
-            grounding,
-            chosen,
-            predict=_prediction(folder, grounding) if chosen.reads == "network" else None,
-            time_limit=time_limit,
-            encoding=encoding,
-            whole=whole,
-        )
+        asked: dict[str, Any] = {"time_limit": time_limit, "encoding": encoding, "whole": whole}
+        asked |= {"predict": _prediction(folder, grounding) if chosen.reads == "network" else None}
+        result = plan(problem, grounding, chosen, **asked)
+        if not result.has_plan and (hoping := forgetting(problem)) != problem:
+            folder.notify("no plan goes by what the objects did before; planned as if they may do otherwise")
+            problem, result = hoping, plan(hoping, grounding, chosen, **asked)
         result = look_again(result, problem, grounding, chosen, time_limit=time_limit, goes_near=nearest)
         printed = chosen.program.encoding_for(chosen.name, encoding) if chosen.program else STRIPS
         printed = STRIPS if printed == SAS or understand(own, grounding).relates else printed

@@ -90,6 +90,19 @@ def with_pasts(problem: Problem, pasts: Mapping[str, Sequence[Trial]]) -> Proble
     return msgspec.structs.replace(problem, objects=tuple(objects))
 
 
+def forgetting(problem: Problem) -> Problem:
+    """Return a problem in which what its objects did counts only against hoping for what it shows to fail."""
+    forgotten = {
+        item.name: tuple(msgspec.structs.replace(one, forgotten=True) for one in past_of(item))
+        for item in problem.objects
+    }
+    objects = (
+        msgspec.structs.replace(item, past=forgotten[item.name]) if forgotten[item.name] else item
+        for item in problem.objects
+    )
+    return msgspec.structs.replace(problem, objects=tuple(objects))
+
+
 def past_of(item: SceneObject) -> tuple[Trial, ...]:
     """Return what an object was seen to do, however it lay."""
     return () if item.past is msgspec.UNSET else item.past

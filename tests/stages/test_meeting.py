@@ -39,6 +39,8 @@ def test_tries_go_on_where_they_ended_and_are_forgotten_on_demand(folder, tmp_pa
     assert "item-01 looks like" in said
     assert "(tried 2 times)" in said
     assert contents(folder / "pasts") == contents(other / "pasts")
+    assert neurosym("explain", folder) == 0
+    assert "item-01 looks like" in capsys.readouterr().out
     assert neurosym("meet", folder, TASK, "--forget", "--tries", 0) == 0
     assert not (folder / "pasts" / "item-01.json").exists()
 

@@ -123,8 +123,8 @@ By shape, after 0, 1, 3 and 5 tries:
 
 ## Look-alikes with hidden properties
 
-Whether the first motion of a plan did as was promised of the object, so near. These look like objects that domains are
-learned with. Mass, friction, and the floor of a box or else the centre of mass are others.
+Whether the first motion of a plan did as was promised of the object, so near. These look like objects that
+domains are learned with. Mass, friction, and the floor of a box or else the centre of mass are others.
 
 {looks}
 
