@@ -27,10 +27,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from neurosym.errors import CannotStart, InvalidFile
-from neurosym.files import read_bytes
+from neurosym.files import naming, read_bytes
 from neurosym.planners import keeper
 from neurosym.planners.keeper import FOLDER_PREFIX, MARK, end_marked
-from neurosym.planners.planner import PlannerAnswer, PlannerMissing, PlanStatus
+from neurosym.planners.planner import PddlCall, PlannerAnswer, PlannerMissing, PlanStatus
 
 # Running a planner as a process that leaves nothing behind.
 #
@@ -192,6 +192,17 @@ class Program:
         if self.needs and shutil.which(self.needs[0]) is None:
             return f"it needs {self.needs[0]}, which {self.needs[1]} brings"
         return ""
+
+
+def answer_to(call: PddlCall, texts: Sequence[str], *, time_limit: float) -> PlannerAnswer:
+    """Have a program answer to the texts of domain and problem, or to one of both in SAS+, in a time [s]."""
+    names = ("domain.pddl", "problem.pddl") if len(texts) > 1 else (f"problem{SAS_SUFFIX}",)
+    with scratch_folder() as folder:
+        files = [folder / name for name in names]
+        for file, text in zip(files, texts, strict=True):
+            with naming(file):
+                file.write_text(text)
+        return call(files[0], files[-1], time_limit=time_limit)
 
 
 def plan_program(domain: Path, problem: Path, *, time_limit: float, program: Program) -> PlannerAnswer:

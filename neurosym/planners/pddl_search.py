@@ -17,7 +17,6 @@ import msgspec
 import numpy as np
 
 from neurosym.errors import InvalidPlan, InvalidPlanner
-from neurosym.files import naming
 from neurosym.grounding import Grounding
 from neurosym.pddl.numeric import STEPS as NUMERIC_STEPS
 from neurosym.pddl.numeric import numeric_domain, numeric_problem
@@ -27,7 +26,7 @@ from neurosym.pddl.strips import page
 from neurosym.pddl.strips_problem import STEPS, StripsProblem, printed_cell
 from neurosym.pddl.syntax import NUMERIC, SAS, STRIPS, EncodingName
 from neurosym.planners.action_counts import candidates, choices_of, ends_held, mend
-from neurosym.planners.external import SAS_SUFFIX, scratch_folder
+from neurosym.planners.external import answer_to
 from neurosym.planners.joined_plans import plan_in_turns, plan_singly
 from neurosym.planners.no_plan import explain_clash, explain_no_plan
 from neurosym.planners.planner import (
@@ -277,21 +276,14 @@ class _Search:
         usual = printed_cell(task) if encoding == STRIPS else grounding.cell
         grid = _fitted(grounding, problem, max(usual, self.program.cell) / slack.finer)
         printed = partial(StripsProblem, task, grid=grid, steps=slack.steps, margin=slack.margin)
-        names: tuple[str, ...] = ("domain.pddl", "problem.pddl")
         if encoding == SAS:
-            names = (f"problem{SAS_SUFFIX}",)
             texts: tuple[str, ...] = (sas_text(problem, grid, steps=slack.steps, margin=slack.margin),)
         elif encoding == NUMERIC:
             data = numeric_problem(understand(problem, grid), steps=slack.steps * NUMERIC_STEPS)
             texts = numeric_domain(grid).text(costs=costs), data.text(costs=costs)
         else:
             texts = page(grounding).text(costs=costs), printed(led=led).data().text(costs=costs)
-        with scratch_folder() as folder:
-            files = [folder / name for name in names]
-            for file, text in zip(files, texts, strict=True):
-                with naming(file):
-                    file.write_text(text)
-            answer = self.program.call(files[0], files[-1], time_limit=self.effort.left)
+        answer = answer_to(self.program.call, texts, time_limit=self.effort.left)
         self.effort.spend(UNTOLD if answer.work is None else answer.work)
         if answer.status is PlanStatus.TIMEOUT:
             raise TimeIsUp

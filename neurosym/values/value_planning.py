@@ -10,11 +10,10 @@ import numpy as np
 from neurosym.checks import Float
 from neurosym.data.cells import Step
 from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, counted
-from neurosym.files import naming
 from neurosym.operators import Symbol
 from neurosym.pddl.plan_reading import read_words
 from neurosym.planners.bfs import DEPTH, MOST_SEQUENCES, breadth_first
-from neurosym.planners.external import scratch_folder
+from neurosym.planners.external import answer_to
 from neurosym.planners.planner import Planner, PlanResult, PlanStatus
 from neurosym.tasks.transition import PlanStep
 from neurosym.values.domain import Outcome, ValueDomain, ValueOperator
@@ -60,14 +59,9 @@ def plan_values(
             )
             return PlanResult(PlanStatus.NOT_FOUND, (), result.seconds, reason, DEPTH)
         return result
-    with scratch_folder() as folder:
-        files = folder / "domain.pddl", folder / "problem.pddl"
-        costs = planner.program.costs
-        texts = value_page(task.domain).text(costs=costs), value_problem(task).text(costs=costs)
-        for file, text in zip(files, texts, strict=True):
-            with naming(file):
-                file.write_text(text)
-        answer = planner.program.call(*files, time_limit=time_limit)
+    costs = planner.program.costs
+    texts = value_page(task.domain).text(costs=costs), value_problem(task).text(costs=costs)
+    answer = answer_to(planner.program.call, texts, time_limit=time_limit)
     seconds = time.perf_counter() - begin
     if answer.status is not PlanStatus.SOLVED:
         return PlanResult(answer.status, (), seconds, answer.reason)
