@@ -10,7 +10,7 @@ from contextlib import AbstractContextManager, contextmanager, nullcontext, supp
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 # Paths, lengths and texts of strangers as a user reads them
 
@@ -157,6 +157,17 @@ class UnknownChoice(NeurosymError):
         elif len(choices) > _FEW and (near := get_close_matches(name[:100], choices, 1)):
             valid = f"the nearest is {near[0]}; {valid}"
         super().__init__(f"There is no {kind} {shortened(name)!r}; {valid}.")
+
+
+_Thing = TypeVar("_Thing")
+
+
+def one_called(kind: str, name: str, among: Sequence[_Thing], by: str = "name") -> _Thing:
+    """Return the first of some things whose attribute `by` is a name; `UnknownChoice` if none is."""
+    found = next((one for one in among if getattr(one, by) == name), None)
+    if found is None:
+        raise UnknownChoice(kind, name, (getattr(one, by) for one in among))
+    return found
 
 
 class InvalidValue(NeurosymError):

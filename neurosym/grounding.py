@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import as_path, check_length
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, quoted
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, one_called, quoted
 from neurosym.files import MOST_JSON, read_bytes, write_json
 from neurosym.formats import PairFile, PlaceFile
 from neurosym.operators import (
@@ -149,9 +149,7 @@ class Grounding(Versioned, frozen=True, omit_defaults=True, cache_hash=True, ren
 
     def category(self, symbol: Symbol) -> Category:
         """Return the category with that object symbol; `UnknownChoice` if there is none."""
-        if found := next((one for one in self.objects.categories if one.symbol == symbol), None):
-            return found
-        raise UnknownChoice("category", symbol, (one.symbol for one in self.objects.categories))
+        return one_called("category", symbol, self.objects.categories, by="symbol")
 
     @property
     def live(self) -> tuple[Operator, ...]:

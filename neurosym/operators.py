@@ -11,7 +11,7 @@ import numpy as np
 
 from neurosym.checks import Document, Float, check_all, check_callable
 from neurosym.choices import TOLERANCE as TOLERANCE
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, shortened
+from neurosym.errors import InvalidFile, InvalidValue, one_called, shortened
 from neurosym.files import MOST_JSON, decode_json, read_bytes
 from neurosym.world import OutcomeKind
 
@@ -157,9 +157,7 @@ class Primitive(Document, frozen=True, omit_defaults=True):
 
 def labelled(primitives: Sequence[Primitive], label: str) -> Primitive:
     """Return the primitive of that label, like "101b" or "101"; `UnknownChoice` if there is none."""
-    if found := next((one for one in primitives if one.label == label), None):
-        return found
-    raise UnknownChoice("primitive", label, (one.label for one in primitives))
+    return one_called("primitive", label, primitives, by="label")
 
 
 class Rehearsal(Document, frozen=True, array_like=True):

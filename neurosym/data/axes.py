@@ -81,6 +81,10 @@ class Axis(Document, frozen=True, omit_defaults=True):
             return self.period
         return None if self.low is None or self.high is None else self.high - self.low
 
+    def with_unit(self, number: str) -> str:
+        """Return a number with the unit, if there is one."""
+        return f"{number} {self.unit}" if self.unit else number
+
     def difference(
         self, after: Float[np.ndarray, "..."], before: Float[np.ndarray, "..."]
     ) -> Float[np.ndarray, "..."]:

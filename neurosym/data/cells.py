@@ -49,10 +49,8 @@ class Cells:
         if self.axis.period is not None:
             return number % self.count
         if not 0 <= number < self.count:
-            least, most = self.low, self.low + (self.count - 1) * self.size
-            raise InvalidValue(
-                f"{self.axis.name} = {value:g} lies out of bounds; valid: {least:g} to {most:g}."
-            )
+            valid = f"{self.low:g} to {self.centre(self.count - 1):g}"
+            raise InvalidValue(f"{self.axis.name} = {value:g} lies out of bounds; valid: {valid}.")
         return number
 
     def clipped(self, value: float) -> int:
@@ -63,6 +61,10 @@ class Cells:
     def centre(self, number: int) -> float:
         """Return the value in the middle of a cell."""
         return self.low + number * self.size
+
+    def in_words(self, number: int) -> str:
+        """Say what a value in a cell is: `no` or `yes` of a flag, else the middle of the cell."""
+        return ("no", "yes")[number] if self.axis.kind == "flag" else f"{self.centre(number):g}"
 
     def led(self, here: int, step: Step) -> int | None:
         """Return where a step leads from a cell; None if that is out of bounds."""
@@ -117,7 +119,7 @@ class Cells:
     def name(self, number: int) -> str:
         """Name a cell, like `speed12`, or `open-yes` for a flag, such that names sort like cells."""
         if self.axis.kind == "flag":
-            return f"{self.axis.name}-{('no', 'yes')[number]}"
+            return f"{self.axis.name}-{self.in_words(number)}"
         return f"{self.axis.name}{'-' * self.axis.name[-1].isdigit()}{number:0{self._digits}d}"
 
     def step_name(self, step: Step) -> str:
@@ -132,8 +134,7 @@ class Cells:
         return [*map(self.name, range(self.count))]
 
     def __str__(self) -> str:
-        unit = f" {self.axis.unit}" if self.axis.unit else ""
         if self.axis.kind == "flag":
             return "no and yes"
-        most = self.low + (self.count - 1) * self.size
-        return f"{self.low:g} to {most:g}{unit} by {self.size:g}"
+        most = self.centre(self.count - 1)
+        return f"{self.axis.with_unit(f'{self.low:g} to {most:g}')} by {self.size:g}"

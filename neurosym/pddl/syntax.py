@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from itertools import groupby
 from typing import Literal
 
-from neurosym.errors import InvalidValue, UnknownChoice, counted
+from neurosym.errors import InvalidValue, counted, one_called
 from neurosym.grounding import Grounding
 
 Atom = tuple[str, ...]
@@ -75,10 +75,7 @@ class Domain:
 
     def action(self, name: str) -> Action:
         """Return the action of a name; `UnknownChoice` if there is none."""
-        found = next((action for action in self.actions if action.name == name), None)
-        if found is None:
-            raise UnknownChoice("action", name, [action.name for action in self.actions])
-        return found
+        return one_called("action", name, self.actions)
 
     def text(self, *, costs: bool = True) -> str:
         """Print it, with what steps cost or without."""

@@ -80,39 +80,43 @@ def write_plan(
     `own` is the problem as it stands in the folder, which is what is printed; `problem` has the tolerance
     that was asked for.
     """
-    plan_file, record_file = plan_files(own.name, planner)
-    make_folder(folder / PLANS)
-    stem = plan_file.removesuffix(PLAN)
-    for former in (*folder.path.glob(f"{stem}-alt-*"), folder / plan_file, folder / steps_file(plan_file)):
-        remove(former)
-    steps, plan, found = result.steps, None, dict[str, Any]()
+    steps, plan, text, found = result.steps, None, None, dict[str, Any]()
     misses = validate(steps, problem, grounding).reason if result.status is PlanStatus.SOLVED else ""
     if result.has_plan:
         printed = _printed(steps, own, grounding, encoding)
         if isinstance(printed, GroundPlan):
             plan, text = printed, printed.text
         else:
-            found["unprinted"], text, plan_file = printed, print_plan(steps, printed), steps_file(plan_file)
-        write_atomically(folder / plan_file, text)
-        found["digest"] = sha256(text.encode()).hexdigest()
+            found["unprinted"], text = printed, print_plan(steps, printed)
         found["chance"] = round(expected_success(steps, problem, grounding), 4)
         if not misses:
             motions = primitives(steps) + MORE_MOTIONS
             found["chance_replanned"] = round(expected_within(steps, problem, grounding, motions), 4)
-    record = PlanRecord(
-        problem=own.name,
-        planner=planner,
-        status=result.status,
-        steps=named_steps(steps),
-        seconds=round(result.seconds, 3),
-        reason=result.reason,
-        tolerance=None if problem.tolerance == own.tolerance else problem.tolerance,
-        misses=misses,
-        encoding=encoding,
-        **found,
-    )
-    write_json(folder / record_file, record)
+    found |= {"misses": misses, "encoding": encoding}
+    if problem.tolerance != own.tolerance:
+        found["tolerance"] = problem.tolerance
+    put_plan(folder, own.name, planner, result, text, **found)
     return plan
+
+
+def put_plan(
+    folder: DomainFolder, problem: str, planner: str, result: PlanResult, text: str | None, **told: Any
+) -> None:
+    """Write how planning went, and the text of what was found, instead of what a planner found before.
+
+    What else is told is as in `PlanRecord`; steps that are `unprinted` have a file of their own.
+    """
+    plan_file, record_file = plan_files(problem, planner)
+    make_folder(folder / PLANS)
+    stem = plan_file.removesuffix(PLAN)
+    for former in (*folder.path.glob(f"{stem}-alt-*"), folder / plan_file, folder / steps_file(plan_file)):
+        remove(former)
+    if text is not None:
+        write_atomically(folder / (steps_file(plan_file) if "unprinted" in told else plan_file), text)
+        told["digest"] = sha256(text.encode()).hexdigest()
+    steps, seconds = named_steps(result.steps), round(result.seconds, 3)
+    record = PlanRecord(problem, planner, result.status, steps, seconds, result.reason, **told)
+    write_json(folder / record_file, record)
 
 
 def _printed(

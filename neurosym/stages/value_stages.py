@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Mapping
 from contextlib import nullcontext, suppress
 from functools import partial
-from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,17 +12,16 @@ from neurosym.data.axes import Axis, legal_name, misfit
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import is_explored
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, blaming
-from neurosym.files import digest, make_folder, read_json, read_text, remove, write_atomically, write_json
+from neurosym.files import digest, make_folder, read_json, read_text, write_atomically, write_json
 from neurosym.operators import OperatorTable, names_of_features
 from neurosym.pddl.plan_reading import MOST_PLAN, read_words
 from neurosym.pddl.syntax import Atom
-from neurosym.planners.planner import PlanResult, PlanStatus
+from neurosym.planners.planner import PlanStatus
 from neurosym.planners.registry import planner_named
 from neurosym.problems import check_names
 from neurosym.stages import layout
 from neurosym.stages.folder import Claim, DomainFolder, Stage
-from neurosym.stages.plan_records import PlanRecord, record_beside
-from neurosym.tasks.transition import named_steps
+from neurosym.stages.plan_records import put_plan, record_beside
 from neurosym.values.domain import ValueDomain, shown_by
 from neurosym.values.outcomes import compile_values
 from neurosym.values.problem import (
@@ -32,7 +30,6 @@ from neurosym.values.problem import (
     Thing,
     ValueProblem,
     ValueTask,
-    check_features,
     goal_in_words,
     known_to,
 )
@@ -145,7 +142,6 @@ def symbols_of(folder: DomainFolder) -> "EffectModel | GivenSymbols":
 def _put(folder: DomainFolder, problem: ValueProblem, domain: ValueDomain) -> None:
     """Write a problem, as we read it and printed, with the symbols of its things in each state."""
     categorise = symbols_of(folder).object_symbols
-    check_features(problem.things, domain)
     things = tuple(known_to(thing, domain, categorise) for thing in problem.things)
     problem = ValueProblem(FORMAT, problem.name, things, problem.goals, problem.provenance)
     task = ValueTask(problem, domain)
@@ -298,7 +294,11 @@ def plan_values_stage(
         limit = chosen.ceiling if time_limit is None else time_limit
         predict = prediction_of(folder) if network else None
         result = plan_values(task, chosen, time_limit=limit, predict=predict)
-        _write_plan(folder, task, chosen.name, result)
+        text, found = None, dict[str, Any]()
+        if result.status is PlanStatus.SOLVED:
+            text = "".join(f"({' '.join(words)})\n" for words in written(result.steps, task))
+            found = {"chance": round(task.chance(result.steps), 4), "misses": task.strays(result.steps)}
+        put_plan(folder, task.problem.name, chosen.name, result, text, **found)
 
     options: dict[str, Any] = {"time_limit": time_limit}
     inputs = (layout.scene_file(name), layout.GROUNDING, *network)
@@ -309,29 +309,6 @@ def plan_values_stage(
 def prediction_of(folder: DomainFolder) -> Predict:
     """Return what the network of a folder predicts through the symbols."""
     return folder.network().predict_symbols
-
-
-def _write_plan(folder: DomainFolder, task: ValueTask, planner: str, result: PlanResult) -> None:
-    name = task.problem.name
-    plan_file, record_file = layout.plan_files(name, planner)
-    make_folder(folder / layout.PLANS)
-    remove(folder / plan_file)
-    found = dict[str, Any]()
-    if result.status is PlanStatus.SOLVED:
-        text = "".join(f"({' '.join(words)})\n" for words in written(result.steps, task))
-        write_atomically(folder / plan_file, text)
-        found = {"digest": sha256(text.encode()).hexdigest(), "chance": round(task.chance(result.steps), 4)}
-        found["misses"] = task.strays(result.steps)
-    record = PlanRecord(
-        problem=name,
-        planner=planner,
-        status=result.status,
-        steps=named_steps(result.steps),
-        seconds=round(result.seconds, 3),
-        reason=result.reason,
-        **found,
-    )
-    write_json(folder / record_file, record)
 
 
 def execute_values_stage(

@@ -7,13 +7,14 @@ category of a thing changes with them, and each state of a thing has its own.
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
+from typing import TypeVar
 
 import numpy as np
 
 from neurosym.checks import Document, Float
 from neurosym.data.axes import Axis, legal_name
 from neurosym.data.cells import Cells, Step
-from neurosym.errors import UnknownChoice
+from neurosym.errors import one_called
 from neurosym.operators import (
     Category,
     Count,
@@ -27,6 +28,7 @@ from neurosym.operators import (
 )
 
 FORMAT = "neurosym-values-1"
+_Any = TypeVar("_Any")
 MOST_STATES = 20_000
 """So many states a thing may be in at most, counted by the axes that features show."""
 
@@ -96,7 +98,16 @@ class ValueDomain(Versioned, frozen=True, omit_defaults=True):
     @property
     def shown_cells(self) -> tuple[Cells, ...]:
         """The cells of the axes that features show, which a state of a thing is made of."""
-        return tuple(cells for cells, by in zip(self.cells, self.shown, strict=True) if by is not None)
+        return self.of_shown(self.cells)
+
+    def of_shown(self, along: Sequence[_Any]) -> tuple[_Any, ...]:
+        """Return what belongs to the axes that features show, of something for each axis."""
+        return tuple(one for one, by in zip(along, self.shown, strict=True) if by is not None)
+
+    @property
+    def hidden(self) -> tuple[str, ...]:
+        """The names of the axes that no feature shows."""
+        return tuple(axis.name for axis, by in zip(self.axes, self.shown, strict=True) if by is None)
 
     def values_of(self, features: Sequence[float], hidden: Mapping[str, float]) -> list[float]:
         """Return what a thing is along the axes: by its features where these show it, else as said, or 0."""
@@ -108,27 +119,19 @@ class ValueDomain(Versioned, frozen=True, omit_defaults=True):
         said = list[str]()
         outcome = operator.outcome
         for cells, step, mean in zip(self.cells, outcome.steps, outcome.means, strict=True):
-            name, unit = cells.axis.name, f" {cells.axis.unit}" if cells.axis.unit else ""
             if step.to is not None:
-                is_flag = cells.axis.kind == "flag"
-                said.append(
-                    f"{name} becomes {('no', 'yes')[step.to] if is_flag else f'{cells.centre(step.to):g}'}"
-                )
+                said.append(f"{cells.axis.name} becomes {cells.in_words(step.to)}")
             elif not step.stays:
-                said.append(f"{name} {mean:+.3g}{unit}")
+                said.append(cells.axis.with_unit(f"{cells.axis.name} {mean:+.3g}"))
         return ", ".join(said)
 
     def operator_named(self, name: str) -> ValueOperator:
         """Return the operator of that name; `UnknownChoice` if there is none."""
-        if found := next((one for one in self.operators if one.name == name), None):
-            return found
-        raise UnknownChoice("operator", name, (one.name for one in self.operators))
+        return one_called("operator", name, self.operators)
 
     def category(self, symbol: Symbol) -> Category:
         """Return the category of a symbol; `UnknownChoice` if there is none."""
-        if found := next((one for one in self.categories if one.symbol == symbol), None):
-            return found
-        raise UnknownChoice("category", symbol, (one.symbol for one in self.categories))
+        return one_called("category", symbol, self.categories, by="symbol")
 
     def primitive_of(self, operator: ValueOperator) -> Primitive:
         """Return what an operator is performed with."""

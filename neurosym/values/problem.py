@@ -76,21 +76,19 @@ def goal_in_words(goal: Goal) -> str:
     return f"{goal[0]:g} to {goal[1]:g}" if isinstance(goal, tuple) else f"{goal:g}"
 
 
-def check_features(things: Sequence[Thing], domain: ValueDomain) -> None:
-    """Refuse things with more or fewer features than a domain knows."""
-    for thing in things:
-        if len(thing.features) != len(domain.features):
-            valid = ", ".join(domain.features)
-            raise InvalidValue(f"{thing.name} has {len(thing.features)} features; valid: {valid}.")
+def _check_features(thing: Thing, domain: ValueDomain) -> None:
+    if len(thing.features) != len(domain.features):
+        valid = ", ".join(domain.features)
+        raise InvalidValue(f"{thing.name} has {len(thing.features)} features; valid: {valid}.")
 
 
 def known_to(thing: Thing, domain: ValueDomain, categorise: Categorise) -> Thing:
     """Return a thing with its category in each state that it may be in."""
-    counts = [cells.count for cells in domain.shown_cells]
-    if prod(counts) > MOST_STATES:
+    _check_features(thing, domain)
+    if (count := prod(cells.count for cells in domain.shown_cells)) > MOST_STATES:
         raise InvalidValue(
-            f"A thing may be in {prod(counts):,} states, by the cells of its axes; valid: {MOST_STATES:,} "
-            "at most. Make some cells larger in world.toml."
+            f"A thing may be in {count:,} states, by the cells of its axes; valid: {MOST_STATES:,} at most. "
+            "Make some cells larger in world.toml."
         )
     states = [*domain.states()]
     symbols = categorise(domain.features_at(thing.features, states).astype(np.float32))
@@ -110,36 +108,36 @@ class ValueTask:
     domain: ValueDomain
 
     def __post_init__(self) -> None:
-        names = [axis.name for axis in self.domain.axes]
-        check_features(self.problem.things, self.domain)
+        hidden, states = self.domain.hidden, len(self._places)
         for thing in self.problem.things:
-            hidden = [name for name, by in zip(names, self.domain.shown, strict=True) if by is None]
+            _check_features(thing, self.domain)
             if wrong := next((name for name in thing.values if name not in hidden), None):
                 valid = ", ".join(hidden) or "none"
                 raise InvalidValue(
                     f"{thing.name} has a value {wrong}; valid: axes that no feature shows: {valid}."
                 )
-            if len(self.categories(thing)) != len(self._places):
+            if (known := len(self.categories[thing.name])) != states:
                 raise InvalidValue(
-                    f"{thing.name} has categories for {len(self.categories(thing))} states, and there are "
-                    f"{len(self._places)}; make the problem anew."
+                    f"{thing.name} has categories for {known} states, and there are {states}; make the "
+                    "problem anew."
                 )
         for goals in self.problem.goals.values():
-            if wrong := next((name for name in goals if name not in names), None):
-                raise UnknownChoice("axis", wrong, names)
+            if wrong := next((name for name in goals if name not in self._numbers), None):
+                raise UnknownChoice("axis", wrong, self._numbers)
         _ = self.start, self.goals
 
     @cached_property
     def _places(self) -> Mapping[Cell, int]:
         return {state: number for number, state in enumerate(self.domain.states())}
 
-    def categories(self, thing: Thing) -> Sequence[Symbol]:
-        """Return the category of a thing in each state, see `ValueDomain.states`."""
-        return thing.categories.split()
+    @cached_property
+    def _numbers(self) -> Mapping[str, int]:
+        return {axis.name: number for number, axis in enumerate(self.domain.axes)}
 
     @cached_property
-    def _known(self) -> Mapping[str, Sequence[Symbol]]:
-        return {thing.name: self.categories(thing) for thing in self.problem.things}
+    def categories(self) -> Mapping[str, Sequence[Symbol]]:
+        """The category of each thing in each state, see `ValueDomain.states`."""
+        return {thing.name: thing.categories.split() for thing in self.problem.things}
 
     @cached_property
     def start(self) -> dict[str, Cell]:
@@ -152,19 +150,18 @@ class ValueTask:
         return tuple(cells.index(value) for cells, value in along)
 
     @cached_property
-    def goals(self) -> Mapping[tuple[str, str], tuple[int, ...]]:
-        """Which cells meet the goal of a thing on an axis."""
-        cells = {one.axis.name: one for one in self.domain.cells}
+    def goals(self) -> Mapping[tuple[str, int], tuple[int, ...]]:
+        """Which cells meet the goal of a thing on the axis of a number."""
+        cells, numbers = self.domain.cells, self._numbers
         return {
-            (thing, axis): cells[axis].near(goal)
+            (thing, numbers[axis]): cells[numbers[axis]].near(goal)
             for thing, goals in sorted(self.problem.goals.items())
             for axis, goal in goals.items()
         }
 
     def category(self, thing: str, state: Cell) -> Symbol:
         """Return the category of a thing in a state."""
-        shown = tuple(one for one, by in zip(state, self.domain.shown, strict=True) if by is not None)
-        return self._known[thing][self._places[shown]]
+        return self.categories[thing][self._places[self.domain.of_shown(state)]]
 
     def apply(self, state: Cell, operator: ValueOperator) -> Cell | None:
         """Return where an operator leads from a state; None if that is out of bounds."""
@@ -184,13 +181,11 @@ class ValueTask:
 
     def missed(self, states: Mapping[str, Cell]) -> Iterator[str]:
         """Say which goals are not met."""
-        numbers = {axis.name: number for number, axis in enumerate(self.domain.axes)}
-        for (thing, axis), cells in self.goals.items():
-            number = numbers[axis]
-            if (here := states[thing][number]) not in cells:
-                value = self.domain.cells[number].centre(here)
-                asked = goal_in_words(self.problem.goals[thing][axis])
-                yield f"{thing} ends with {axis} = {value:g}, not {asked}"
+        for (thing, number), meeting in self.goals.items():
+            if (here := states[thing][number]) not in meeting:
+                cells = self.domain.cells[number]
+                asked = goal_in_words(self.problem.goals[thing][cells.axis.name])
+                yield f"{thing} ends with {cells.axis.name} = {cells.centre(here):g}, not {asked}"
 
     def replay(self, steps: Sequence[PlanStep]) -> tuple[dict[str, Cell], str]:
         """Follow a plan; returned are the states in the end, and why it is no plan, if it is none."""

@@ -7,7 +7,7 @@ import msgspec
 import numpy as np
 
 from neurosym.checks import Float
-from neurosym.errors import InvalidValue, InvalidWorld
+from neurosym.errors import InvalidValue, InvalidWorld, one_called
 from neurosym.planners.planner import PlanResult
 from neurosym.tasks.transition import PlanStep
 from neurosym.values.problem import ValueTask
@@ -63,6 +63,10 @@ def execute_values(
     """
     now, left, done, asked = task, [*steps], list[ValueStep](), 0
     failed, stuck = Counter[str](), ""
+
+    def ended(reason: str) -> ValueRun:
+        return ValueRun(FORMAT, task.problem.name, tuple(done), not reason, reason, asked)
+
     while True:
         reason = now.replay(left)[1] if left else now.strays()
         if reason and solve and asked < replans:
@@ -72,17 +76,14 @@ def execute_values(
             stuck = reason
         if not left or (reason and solve):
             missed = now.strays()
-            return ValueRun(
-                FORMAT, task.problem.name, tuple(done), not missed, missed and (stuck or missed), asked
-            )
+            return ended(missed and (stuck or missed))
         step, *left = left
         try:
             told, now = _performed(now, step, perform)
         except InvalidWorld:
             raise
         except InvalidValue as error:
-            reason = f"{step.object} came to where nothing is known: {str(error).rstrip('.')}"
-            return ValueRun(FORMAT, task.problem.name, tuple(done), False, reason, asked)
+            return ended(f"{step.object} came to where nothing is known: {str(error).rstrip('.')}")
         done.append(told)
         failed[step.operator] += not told.as_promised
 
@@ -99,12 +100,12 @@ def _doubting(task: ValueTask, failed: Mapping[str, int]) -> ValueTask:
 def _performed(task: ValueTask, step: PlanStep, perform: Perform) -> tuple[ValueStep, ValueTask]:
     """Perform a step; return what came of it, and the task from there."""
     domain, operator = task.domain, task.domain.operator_named(step.operator)
-    thing = next(one for one in task.problem.things if one.name == step.object)
-    hidden = [axis.name for axis, by in zip(domain.axes, domain.shown, strict=True) if by is None]
-    state = np.array([*thing.features, *(thing.values.get(name, 0.0) for name in hidden)], dtype=float)
+    thing = one_called("thing", step.object, task.problem.things)
+    hidden = (thing.values.get(name, 0.0) for name in domain.hidden)
+    state = np.array([*thing.features, *hidden], dtype=float)
     after = perform(state, np.array(domain.primitive_of(operator).action, dtype=float)).tolist()
     features = after[: len(thing.features)]
-    values = dict(zip(hidden, after[len(thing.features) :], strict=True))
+    values = dict(zip(domain.hidden, after[len(thing.features) :], strict=True))
     promised, happened, is_near = list[float](), list[float](), True
     ends = domain.values_of(thing.features, thing.values), domain.values_of(features, values)
     for one, cells, before, came in zip(operator.outcome.steps, domain.cells, *ends, strict=True):

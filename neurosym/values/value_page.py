@@ -28,7 +28,7 @@ def _along(domain: ValueDomain) -> tuple[Along, ...]:
 def value_page(domain: ValueDomain) -> Domain:
     """Return the page of a learned domain of values."""
     axes = _along(domain)
-    shown = [axis for axis, by in zip(axes, domain.shown, strict=True) if by is not None]
+    shown = domain.of_shown(axes)
     types = {"?o": "thing", "?do": "operator", "?k": "category", "?c": "price"}
     types |= {variable: kind for axis in axes for variable, kind in axis.types.items()}
     here, steps = " ".join(one.cell for one in shown), " ".join(one.step for one in axes)
@@ -94,7 +94,7 @@ def _head(domain: ValueDomain) -> Iterator[str]:
 def value_problem(task: ValueTask) -> PddlProblem:
     """Return the printed problem of a task."""
     problem, domain = task.problem, task.domain
-    met = {symbol for thing in problem.things for symbol in task.categories(thing)}
+    met = {symbol for known in task.categories.values() for symbol in known}
     offered = [one for one in domain.operators if one.category in met]
     acted = sorted({one.category for one in offered})
     prices = sorted({one.cost for one in offered})
@@ -125,7 +125,7 @@ def value_problem(task: ValueTask) -> PddlProblem:
             Facts("what meets goals", tuple(_meets(task))),
         ),
         costs={("cost", f"cost{price}"): price for price in prices},
-        goals=tuple((f"done-{axis}", thing) for thing, axis in task.goals),
+        goals=tuple((f"done-{domain.axes[number].name}", thing) for thing, number in task.goals),
     )
 
 
@@ -135,7 +135,7 @@ def _of_thing(task: ValueTask, thing: Thing, acted: Sequence[Symbol]) -> Iterato
     at = zip(domain.cells, here, strict=True)
     begin = tuple((f"at-{cells.axis.name}", thing.name, cells.name(number)) for cells, number in at)
     yield Facts(f"{thing.name} at the start", begin)
-    kinds = zip(domain.states(), task.categories(thing), strict=True)
+    kinds = zip(domain.states(), task.categories[thing.name], strict=True)
     then = tuple(
         ("is-then", thing.name, *_named(domain.shown_cells, state), domain.category(symbol).name)
         for state, symbol in kinds
@@ -145,15 +145,19 @@ def _of_thing(task: ValueTask, thing: Thing, acted: Sequence[Symbol]) -> Iterato
 
 
 def _does(domain: ValueDomain, one: ValueOperator) -> Atom:
-    steps = zip(domain.cells, one.outcome.steps, strict=True)
-    far = (cells.step_name(step) for cells, step in steps)
-    return ("does", one.name, domain.category(one.category).name, *far, f"cost{one.cost}")
+    return ("does", one.name, domain.category(one.category).name, *_steps(domain, one), f"cost{one.cost}")
+
+
+def _steps(domain: ValueDomain, operator: ValueOperator) -> Iterator[str]:
+    """Name the step of an operator along each axis."""
+    along = zip(domain.cells, operator.outcome.steps, strict=True)
+    return (cells.step_name(step) for cells, step in along)
 
 
 def _meets(task: ValueTask) -> Iterator[Atom]:
-    cells = {one.axis.name: one for one in task.domain.cells}
-    for (thing, axis), numbers in task.goals.items():
-        yield from ((f"goal-{axis}", thing, cells[axis].name(number)) for number in numbers)
+    for (thing, number), meeting in task.goals.items():
+        cells = task.domain.cells[number]
+        yield from ((f"goal-{cells.axis.name}", thing, cells.name(one)) for one in meeting)
 
 
 def _named(cells: Sequence[Cells], state: Cell) -> Iterator[str]:
@@ -163,25 +167,20 @@ def _named(cells: Sequence[Cells], state: Cell) -> Iterator[str]:
 def written(steps: Sequence[PlanStep], task: ValueTask) -> tuple[Atom, ...]:
     """Write a plan as ground actions of the page; `InvalidValue` if it is none."""
     domain, found, states = task.domain, list[Atom](), dict(task.start)
-    _, said = task.replay(steps)
-    if said:
+    if said := task.replay(steps)[1]:
         raise InvalidValue(f"It is no plan: {said}.")
     for step in steps:
         operator, here = domain.operator_named(step.operator), states[step.object]
-        there = task.apply(here, operator) or ()
-        done = [cells.step_name(one) for cells, one in zip(domain.cells, operator.outcome.steps, strict=True)]
-        shown = [
-            c.name(h) for c, h, by in zip(domain.cells, here, domain.shown, strict=True) if by is not None
-        ]
+        states[step.object] = there = task.apply(here, operator) or ()
+        done = [*_steps(domain, operator)]
+        shown = _named(domain.shown_cells, domain.of_shown(here))
         kind = domain.category(operator.category).name
         found.append(("act", step.object, operator.name, kind, *shown, *done, f"cost{operator.cost}"))
         for cells, name, one, other in zip(domain.cells, done, here, there, strict=True):
             found.append((f"move-{cells.axis.name}", step.object, name, cells.name(one), cells.name(other)))
-        states[step.object] = there
-    numbers = {axis.name: number for number, axis in enumerate(domain.axes)}
-    for thing, axis in task.goals:
-        here = states[thing]
-        found.append((f"reach-{axis}", thing, domain.cells[numbers[axis]].name(here[numbers[axis]])))
+    for thing, number in task.goals:
+        cells = domain.cells[number]
+        found.append((f"reach-{cells.axis.name}", thing, cells.name(states[thing][number])))
     return tuple(found)
 
 
