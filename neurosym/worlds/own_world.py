@@ -214,6 +214,14 @@ class Apart(Child):
             self.close(grace=0.0)
             raise InvalidWorld(self._called, f"{error} {what}") from error
 
+    def have_made(self, make: Callable[..., Any], *arguments: Any) -> Any:
+        """Have the world made, and return what that returns; the process ends if it cannot be made."""
+        try:
+            return self.call("its making", make, self._called, *arguments)
+        except BaseException:
+            self.close(grace=0.0)
+            raise
+
 
 class Hosted(Apart):
     """A world that lives in another process; see `World`. `InvalidWorld` is raised if it cannot be made."""
@@ -228,11 +236,7 @@ class Hosted(Apart):
 
     def __init__(self, called: str, options: dict[str, Any], folder: Path):
         super().__init__(called)
-        try:
-            about, self._patience, methods = self.call("its making", _make, called, options, folder)
-        except BaseException:
-            self.close(grace=0.0)
-            raise
+        about, self._patience, methods = self.have_made(_make, options, folder)
         vars(self).update(about)
         for method in methods:
             vars(self)[method] = partial(self._do, method)

@@ -43,11 +43,7 @@ class HostedStates(Apart):
     def __init__(self, called: str, options: dict[str, Any], folder: Path):
         search_here(folder)
         super().__init__(called)
-        try:
-            self.call("its making", _make, called, options, folder)
-        except BaseException:
-            self.close(grace=0.0)
-            raise
+        self.have_made(_make, options, folder)
 
     def step(self, state: Float[np.ndarray, "S"], action: Float[np.ndarray, "A"]) -> Float[np.ndarray, "S"]:
         """Perform an action; see `StateWorld.step`."""
