@@ -9,9 +9,8 @@ import csv
 import io
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 import numpy as np
@@ -22,8 +21,8 @@ from neurosym.checks import Float
 from neurosym.data.archives import read_arrays
 from neurosym.data.axes import Axis, as_tables, axes_in, legal_name
 from neurosym.data.interactions import Interactions
-from neurosym.data.origin import FLAGS, file_problems
-from neurosym.errors import InvalidData, InvalidFile, InvalidValue, listed_briefly, shortened
+from neurosym.data.origin import file_problems
+from neurosym.errors import InvalidData, InvalidFile, InvalidValue, blaming, listed_briefly, shortened
 from neurosym.files import MOST_DATA, opened, read_bytes, read_toml
 
 KINDS = (".csv", ".npy", ".npz", ".pt", ".safetensors")
@@ -70,25 +69,17 @@ def read_interactions(
         InvalidFile: If a file cannot be read.
         InvalidData: If what the table holds cannot be learned from; all problems are told.
     """
-    table = _read(path)
-    where = columns or path
-    mapping = _mapping(columns) if columns else Roles()
+    table, mapping = _read(path), _mapping(columns) if columns else Roles()
     if not any(getattr(mapping, role) for role in _ASKED):
         given = {"axes": mapping.axes, "names": mapping.names, "origin": mapping.origin}
         mapping = msgspec.structs.replace(_by_names(path, table), **given)
-    try:
+    with blaming(columns or path):
         arrays, origin = _gathered(*_paired(table, mapping))
-    except InvalidValue as error:
-        raise InvalidFile(where, str(error).rstrip(".")) from error
     if unread := [shortened(name) for name in table if name not in _read_by(mapping)]:
         note(f"columns that are left out: {listed_briefly(unread)}")
     if problems := file_problems(arrays, origin):
         raise InvalidData(path, problems)
-    rows = len(arrays["features"])
-    effects = arrays["effects"]
-    none, nothing = np.zeros(rows, dtype=bool), np.zeros(rows, dtype=np.float32)
-    flags = dict.fromkeys(FLAGS, none)
-    return Interactions(**arrays, resting_effects=effects, peak_heights=nothing, **flags, origin=origin)
+    return Interactions.filled(arrays, origin)
 
 
 def _mapping(columns: Path) -> Roles:
@@ -107,13 +98,7 @@ def _read_by(mapping: Roles) -> set[str]:
 
 def _read(path: Path) -> dict[str, np.ndarray]:
     """Read a table by what its name ends with."""
-    readers = {
-        ".csv": _read_csv,
-        ".npy": _read_npy,
-        ".npz": _read_npz,
-        ".pt": _read_pt,
-        ".safetensors": _read_tensors,
-    }
+    readers = dict(zip(KINDS, (_read_csv, _read_npy, _read_npz, _read_pt, _read_tensors), strict=True))
     if path.suffix.lower() not in readers:
         raise InvalidFile(path, f"it is none of the tables that are read; valid: {', '.join(KINDS)}")
     table = readers[path.suffix.lower()](path)
@@ -228,8 +213,7 @@ def _by_names(path: Path, table: Table) -> Roles:
     return Roles(**given, after=after, episode="episode" if "episode" in table and not is_told else "")
 
 
-@dataclass(frozen=True)
-class _Chosen:
+class _Chosen(NamedTuple):
     """Columns of a table that have one role."""
 
     names: list[str]
@@ -238,7 +222,7 @@ class _Chosen:
 
 def _chosen(table: Table, mapping: Roles, wanted: Sequence[str]) -> _Chosen:
     """Take columns of numbers from a table, as they are named in a mapping."""
-    names, parts, rows = list[str](), list[np.ndarray](), len(next(iter(table.values())))
+    names, parts = list[str](), [np.zeros((len(next(iter(table.values()))), 0))]
     for one in wanted:
         found = _column(table, one)
         if found.dtype.kind not in "fiub":
@@ -259,7 +243,7 @@ def _chosen(table: Table, mapping: Roles, wanted: Sequence[str]) -> _Chosen:
             is_single = found.shape[1] == 1 and not part
             names.append(own[0] if own else plain if is_single else f"{array}{first + number}")
         parts.append(found.astype(np.float64))
-    return _Chosen(names, np.concatenate(parts, axis=1) if parts else np.zeros((rows, 0)))
+    return _Chosen(names, np.concatenate(parts, axis=1))
 
 
 def _column(table: Table, name: str) -> np.ndarray:
@@ -292,8 +276,8 @@ def _paired(table: Table, mapping: Roles) -> tuple[Table, Roles]:
     followed = np.flatnonzero(of[1:] == of[:-1])
     if not len(followed):
         raise InvalidValue(f"No row follows another one with the same {shortened(mapping.episode)}")
-    later = {f"next {name}": column[followed + 1] for name, column in table.items()}
-    paired = {**{name: column[followed] for name, column in table.items()}, **later}
+    paired = {name: column[followed] for name, column in table.items()}
+    paired |= {f"next {name}": column[followed + 1] for name, column in table.items()}
     after = tuple(f"next {name}" for name in mapping.features)
     return paired, msgspec.structs.replace(mapping, after=after, episode="")
 
@@ -345,10 +329,8 @@ def _marked(column: np.ndarray, name: str) -> tuple[list[str], np.ndarray]:
     if len(choices) > _MOST_CHOICES:
         raise InvalidValue(f"{name} holds {len(choices)} choices; valid: at most {_MOST_CHOICES}")
     plain = name.removeprefix("choice.")
-    said = [
-        f"{plain}={choice:g}" if choice.dtype.kind in "fiub" else f"{plain}={choice}" for choice in choices
-    ]
-    return said, np.eye(len(choices))[rows]
+    how = "g" if choices.dtype.kind in "fiub" else ""
+    return [f"{plain}={choice:{how}}" for choice in choices], np.eye(len(choices))[rows]
 
 
 def _changed(

@@ -10,7 +10,7 @@ Axes, here and everywhere in the package:
 
 import io
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -83,6 +83,15 @@ class Interactions:
         columns = {name: np.array(rows).astype(np.float32) for name, rows in lengths.items()}
         return cls(**columns, **flags, origin=origin)
 
+    @classmethod
+    def filled(cls, columns: Mapping[str, np.ndarray], origin: dict[str, Any]) -> "Interactions":
+        """Make a data set of columns without problems; what is missing is filled in, see `load`."""
+        rows = len(columns["features"])
+        nothing = {"resting_effects": columns["effects"], "peak_heights": np.zeros(rows)}
+        every = {**nothing, **dict.fromkeys(FLAGS, np.zeros(rows, dtype=bool)), **columns}
+        kinds = {name: bool if name in FLAGS else np.float32 for name in _ARRAYS}
+        return cls(**{name: every[name].astype(kind) for name, kind in kinds.items()}, origin=origin)
+
     def join(self, more: "Interactions") -> "Interactions":
         """Append the rows of another data set, keeping this one's origin."""
         joined = {name: np.concatenate([rows, getattr(more, name)]) for name, rows in self.columns.items()}
@@ -140,17 +149,7 @@ def examine(path: Path) -> Examination:
     problems += [problem] if problem else []
     unread = [name for name in given if name in _ARRAYS and name not in columns]
     problems += file_problems(columns, origin, unread=unread)
-    interactions = None
-    if not problems:
-        flags = np.zeros((len(FLAGS), len(columns["features"])), dtype=bool)
-        filled = {
-            "resting_effects": columns["effects"],
-            "peak_heights": np.zeros(flags.shape[1]),
-            **dict(zip(FLAGS, flags, strict=True)),
-            **columns,
-        }
-        kinds = {name: bool if name in FLAGS else np.float32 for name in _ARRAYS}
-        interactions = Interactions(**{n: filled[n].astype(kinds[n]) for n in _ARRAYS}, origin=origin)
+    interactions = None if problems else Interactions.filled(columns, origin)
     return Examination(columns, origin, given, tuple(problems), interactions)
 
 
