@@ -7,7 +7,7 @@ from typing import Any, Literal
 import msgspec
 import numpy as np
 
-from neurosym.checks import Document, Float
+from neurosym.checks import Bool, Document, Float
 from neurosym.errors import InvalidValue
 from neurosym.operators import LegalName
 
@@ -91,6 +91,12 @@ class Axis(Document, frozen=True, omit_defaults=True):
         """Return how far values are from others, the shorter way round for an angle."""
         apart = np.asarray(after, dtype=float) - before
         return np.asarray(apart - self.period * np.round(apart / self.period) if self.period else apart)
+
+    def are_near(
+        self, values: Float[np.ndarray, "..."], others: Float[np.ndarray, "..."]
+    ) -> Bool[np.ndarray, "..."]:
+        """Say which values are within the tolerance of others."""
+        return np.asarray(np.abs(self.difference(values, others)) <= (self.tolerance or 0.0))
 
     def apart(self, after: float, before: float) -> float:
         """Return how far one value is from another; see `difference`."""

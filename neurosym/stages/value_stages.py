@@ -1,6 +1,6 @@
 """The stages of a domain of values: data of which there is no world, compiled, planned with and judged."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import nullcontext, suppress
 from functools import partial
 from pathlib import Path
@@ -157,7 +157,7 @@ def value_problem_stage(
     things: int = 1,
     actions: int = 1,
     seed: int = 0,
-    goals: Mapping[str, Mapping[str, Goal]] | None = None,
+    goals: dict[str, dict[str, Goal]] | None = None,
     scene: Path | None = None,
 ) -> Stage:
     """Make a problem of values: domain, data and network -> `problems/NAME.pddl` and `.scene.json`.
@@ -198,7 +198,7 @@ def drawn_problem(
     count: int,
     actions: int,
     seed: int,
-    goals: Mapping[str, Mapping[str, Goal]] | None,
+    goals: dict[str, dict[str, Goal]] | None,
 ) -> ValueProblem:
     """Draw things from the data; random operators lead to the goal unless it is given."""
     rng = np.random.default_rng(seed)
@@ -214,9 +214,7 @@ def drawn_problem(
         )
         asked = goals or _wandered(things, domain, actions, rng)
         if asked:
-            return ValueProblem(
-                FORMAT, name, things, {key: dict(value) for key, value in asked.items()}, told
-            )
+            return ValueProblem(FORMAT, name, things, asked, told)
     raise InvalidValue(
         "Nothing can be done with things of these data, as far as they were drawn; give --goal."
     )
@@ -249,9 +247,7 @@ def _wandered(
 def task_of(folder: DomainFolder, name: str) -> ValueTask:
     """Read a problem of a folder, and understand it."""
     domain = domain_of(folder)
-    return ValueTask(
-        ValueProblem.read(folder.require(layout.scene_file(folder.problem(name))), domain), domain
-    )
+    return ValueTask.read(folder.require(layout.scene_file(folder.problem(name))), domain)
 
 
 def goals_in_words(folder: DomainFolder, name: str) -> Iterator[str]:

@@ -146,8 +146,8 @@ class ValueDomain(Versioned, frozen=True, omit_defaults=True):
     ) -> Float[np.ndarray, "S F"]:
         """Return the features that a thing would have in some states, see `states`."""
         found = np.tile(np.array(features, dtype=float), (len(states), 1))
-        columns = [(by, cells) for by, cells in zip(self.shown, self.cells, strict=True) if by is not None]
-        for number, (by, cells) in enumerate(columns):
+        shown = zip(self.of_shown(self.shown), self.shown_cells, strict=True)
+        for number, (by, cells) in enumerate(shown):
             found[:, by] = [cells.centre(state[number]) for state in states]
         return found
 

@@ -8,7 +8,6 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import product
 from typing import Any
 
 import msgspec
@@ -24,7 +23,9 @@ from neurosym.operators import (
     MIN_CHANCE,
     MIN_TRIALS,
     Categorise,
+    Category,
     OperatorTable,
+    Primitive,
     name_axes,
     names_of_features,
 )
@@ -68,7 +69,7 @@ def compile_values(
     objects = np.array(object_symbols(interactions.features))
     actions = np.array(action_symbols(interactions.actions))
     groups = {
-        (primitive.label, category.symbol): found
+        (primitive, category): found
         for primitive in table.primitives
         for category in table.categories
         if len(found := rows[(objects == category.symbol) & (actions == primitive.symbol)])
@@ -81,15 +82,12 @@ def compile_values(
         axes=tuple(axes),
         categories=table.categories,
         primitives=table.primitives,
-        operators=_operators(table, groups, axes, origin),
+        operators=_operators(groups, axes, origin),
     )
 
 
 def _operators(
-    table: OperatorTable,
-    groups: "Mapping[tuple[str, str], Rows]",
-    axes: Sequence[Axis],
-    origin: Mapping[str, Any],
+    groups: "Mapping[tuple[Primitive, Category], Rows]", axes: Sequence[Axis], origin: Mapping[str, Any]
 ) -> tuple[ValueOperator, ...]:
     """Return an operator for each outcome that is planned with, by its name.
 
@@ -103,13 +101,13 @@ def _operators(
     along = [[step.by for step in one] for one in zip(*steps, strict=True)]
     drifts = [int(np.clip(0, min(one), max(one))) for one in along]
     operators = dict[str, ValueOperator]()
-    for primitive, category in product(table.primitives, table.categories):
-        key = primitive.label, category.symbol
-        for outcome in outcomes.get(key, ()):
+    for (primitive, category), told in outcomes.items():
+        trials = len(groups[primitive, category])
+        for outcome in told:
             verb = chosen(primitive.action, origin) or name_of(outcome, axes, drifts)
             plain = f"{verb}-{primitive.label}-{category.name}"
             others = (f"{plain}-or-{letter}" for letter in "abcdefgh")
-            name, trials = next(one for one in (plain, *others) if one not in operators), len(groups[key])
+            name = next(one for one in (plain, *others) if one not in operators)
             operators[name] = ValueOperator(
                 name, category.symbol, primitive.symbol, trials, outcome, primitive.variant
             )
@@ -167,8 +165,7 @@ def _commonest(rows: Rows, axes: Sequence[Axis], total: int) -> tuple[Bool[np.nd
     for number, axis in enumerate(axes):
         if not axis.is_set:
             values = rows.effects[:, number]
-            off = axis.difference(values[None, :], values[: len(near), None])
-            near &= np.abs(off) <= (axis.tolerance or 0.0)
+            near &= axis.are_near(values[None, :], values[: len(near), None])
     members = near[near.sum(axis=1).argmax()]
     steps, means = list[Step](), list[float]()
     for number, axis in enumerate(axes):
@@ -182,12 +179,9 @@ def _commonest(rows: Rows, axes: Sequence[Axis], total: int) -> tuple[Bool[np.nd
             members = members & (stays if is_still else is_to)
             steps.append(Step() if is_still else Step(to=to))
         else:
-            around = float(values[members][0])
-            off = axis.difference(values, np.full(len(values), around))
-            mean = around + float(off[members].mean())
-            members = members & (
-                np.abs(axis.difference(values, np.full(len(values), mean))) <= (axis.tolerance or 0.0)
-            )
+            around = values[members][:1]
+            mean = float(around[0] + axis.difference(values[members], around).mean())
+            members = members & axis.are_near(values, np.array([mean]))
             steps.append(Step(cells.shift(mean)))
         means.append(round(mean, 9))
     count = int(members.sum())
@@ -256,10 +250,7 @@ def _completed(
         low, high = float(values[0]), float(max(values[-1], values[0] + cell))
         return _filled(axis, cell, low, high, cell / 2)
     middles = np.array([float(np.median(one)) for one in changes])
-    off = [
-        np.abs(axis.difference(one, np.full(len(one), mid)))
-        for one, mid in zip(changes, middles, strict=True)
-    ]
+    off = [np.abs(axis.difference(*pair)) for pair in zip(changes, middles[:, None], strict=True)]
     spread = float(np.median([np.median(one) for one in off])) * 1.5
     moved = np.abs(middles)[np.abs(middles) > max(2 * spread, 1e-9)]  # by how much what moves it does
     usual = float(np.median(moved)) if len(moved) else max(spread, 1e-3)

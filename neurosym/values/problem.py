@@ -62,14 +62,6 @@ class ValueProblem(Versioned, frozen=True, omit_defaults=True):
         """Write the problem to a file."""
         write_json(as_path(path), self)
 
-    @classmethod
-    def read(cls, path: Path, domain: ValueDomain) -> "ValueProblem":
-        """Read a problem of a domain; `InvalidFile` if the file holds none."""
-        problem = read_json(as_path(path), cls)
-        with blaming(path):
-            ValueTask(problem, domain)
-        return problem
-
 
 def goal_in_words(goal: Goal) -> str:
     """Say what a goal asks for, like `0.5`, or `0.4 to 0.6`."""
@@ -125,6 +117,13 @@ class ValueTask:
             if wrong := next((name for name in goals if name not in self._numbers), None):
                 raise UnknownChoice("axis", wrong, self._numbers)
         _ = self.start, self.goals
+
+    @classmethod
+    def read(cls, path: Path, domain: ValueDomain) -> "ValueTask":
+        """Read a problem of a domain; `InvalidFile` if the file holds none."""
+        problem = read_json(path, ValueProblem)
+        with blaming(path):
+            return cls(problem, domain)
 
     @cached_property
     def _places(self) -> Mapping[Cell, int]:
