@@ -1,7 +1,7 @@
 """Operators: what each primitive does to each category of objects, and how all these are named."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import product
 from pathlib import Path
 from typing import Annotated, ClassVar, Literal, Self, get_args
@@ -185,6 +185,11 @@ class Category(Document, frozen=True, omit_defaults=True, cache_hash=True):
     feature_spreads: tuple[Length, ...]  #: Standard deviation of each feature over those objects
     #: Features of the objects that all its operators were rehearsed on, if that is kept
     objects: tuple[tuple[Length, ...], ...] = ()
+
+
+def by_share(categories: Iterable[Category]) -> list[Category]:
+    """Return categories in an order, the most frequent first."""
+    return sorted(categories, key=lambda one: (-one.share, one.symbol))
 
 
 class Kept(Document, frozen=True):

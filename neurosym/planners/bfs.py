@@ -26,7 +26,7 @@ from neurosym.checks import Bool, Float, Int
 from neurosym.errors import counted
 from neurosym.grounding import Grounding, at_rest, is_lift
 from neurosym.operators import Operator, Symbol
-from neurosym.planners.planner import PlanResult, PlanStatus, check_time, within
+from neurosym.planners.planner import MET_AT_START, PlanResult, PlanStatus, check_time, within
 from neurosym.problems import Problem, SceneObject
 from neurosym.tasks.options import PUT_DOWN
 from neurosym.tasks.promises import promised, usable
@@ -124,7 +124,7 @@ def plan_bfs(
     """
     begin, room, deepest = problem.scene().positions, problem.room(table), depth_within(branching, depth)
     if problem.is_met(begin):
-        return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
+        return MET_AT_START
     width, apart = branching.held.size, footprints_apart(problem)
 
     def search(deadline: float) -> PlanResult:

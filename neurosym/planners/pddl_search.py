@@ -31,6 +31,7 @@ from neurosym.planners.joined_plans import plan_in_turns, plan_singly
 from neurosym.planners.no_plan import explain_clash, explain_no_plan
 from neurosym.planners.planner import (
     CEILING,
+    MET_AT_START,
     ON_PAGE,
     UNTOLD,
     Effort,
@@ -137,7 +138,7 @@ def _plan_pddl(query: Query, *, name: str, program: PddlProgram) -> PlanResult:
     problem, grounding = query.problem, query.grounding
     encoding = program.encoding_for(name, query.encoding)
     if is_reached(problem, grounding):
-        return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
+        return MET_AT_START
     is_related = understand(problem, grounding).relates
     if reason := (why_no_relation if is_related else explain_clash)(problem, grounding):
         return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)

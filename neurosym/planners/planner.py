@@ -62,6 +62,9 @@ class PlanResult:
         return self.status in (PlanStatus.SOLVED, PlanStatus.NEAREST)
 
 
+MET_AT_START = PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
+
+
 @dataclass(frozen=True, slots=True)
 class PlannerAnswer:
     """What a PDDL planner says: the text of a plan if it found one."""

@@ -43,6 +43,7 @@ from neurosym.planners.no_plan import explain_clash, explain_no_plan
 from neurosym.planners.pddl_search import pddl_planner
 from neurosym.planners.planner import (
     LONGEST_REASON,
+    MET_AT_START,
     ON_PAGE,
     Option,
     Planner,
@@ -97,7 +98,7 @@ def _breadth_first(query: Query, *, foresees: bool) -> PlanResult:
     problem, grounding = query.problem, query.grounding
     if is_relational(problem, grounding):
         if is_reached(problem, grounding):
-            return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
+            return MET_AT_START
         problem = problem if foresees else msgspec.structs.replace(problem, foreseen={})
         if reason := why_no_relation(problem, grounding):
             return PlanResult(PlanStatus.UNSOLVABLE, (), 0.0, reason)

@@ -290,14 +290,11 @@ def gather(folder: DomainFolder, progress: Progress, *, workers: int = 1) -> dic
     from neurosym.data.interactions import Interactions
     from neurosym.report.explanation import explain_folder
 
-    def found(name: str, load: Callable[[Path], _T]) -> _T | None:
-        return load(folder / name) if (folder / name).is_file() else None
-
-    table = OperatorTable.load(folder / layout.PRIMITIVES) if (folder / layout.PRIMITIVES).is_file() else None
-    grounding = found(layout.GROUNDING, Grounding.load)
-    interactions = found(layout.INTERACTIONS, Interactions.load)
-    places = found(layout.PLACE_INTERACTIONS, Interactions.load)
-    report = found(layout.TRAINING, lambda path: read_json(path, TrainingReport))
+    table = folder.found(layout.PRIMITIVES, OperatorTable.load)
+    grounding = folder.found(layout.GROUNDING, Grounding.load)
+    interactions = folder.found(layout.INTERACTIONS, Interactions.load)
+    places = folder.found(layout.PLACE_INTERACTIONS, Interactions.load)
+    report = folder.found(layout.TRAINING, lambda path: read_json(path, TrainingReport))
     runs, plans = _plans_and_runs(folder)
     atlas = atlas_of_folder(folder, interactions)
     palette = Palette.of(table.categories) if table else Palette(atlas.shares() if atlas else ())

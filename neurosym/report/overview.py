@@ -10,7 +10,7 @@ from neurosym.data.interactions import Interactions
 from neurosym.grounding import Grounding
 from neurosym.learning.network import EffectModel
 from neurosym.learning.training import TrainingReport
-from neurosym.operators import Category, Operator, OperatorTable, Symbol
+from neurosym.operators import Category, Operator, OperatorTable, Symbol, by_share
 from neurosym.report.drawings import chip, effect_drawing, effect_room, is_body, map_drawing, object_drawing
 from neurosym.report.symbol_map import Atlas, atlas_of
 from neurosym.report.symbols import AXES, displacement_in_words
@@ -68,17 +68,13 @@ def kinds_of(table: OperatorTable, atlas: Atlas | None, palette: Palette) -> lis
             "chip": chip(one.symbol, palette),
             "objects": drawn(one.symbol),
         }
-        for one in _ranked(table.categories)
+        for one in by_share(table.categories)
     ]
 
 
 def _words(category: Category) -> str:
     """Say the name of a category without its symbol, which stands beside it."""
     return category.name.removesuffix(f"-{category.symbol}").replace("-", " ")
-
-
-def _ranked(categories: Sequence[Category]) -> list[Category]:
-    return sorted(categories, key=lambda one: (-one.share, one.symbol))
 
 
 def maps_of(atlas: Atlas, palette: Palette) -> _Told:
@@ -116,7 +112,7 @@ def matrix_of(table: OperatorTable, atlas: Atlas | None, palette: Palette, uses:
         palette: The colours of the categories.
         uses: How often the domain uses each action symbol: the most useful are drawn.
     """
-    kinds = _ranked([one for one in table.categories if one.share])[:_MOST_KINDS]
+    kinds = by_share([one for one in table.categories if one.share])[:_MOST_KINDS]
     surest = dict[tuple[str, str], Operator]()
     for operator in table.operators:
         surest.setdefault((operator.primitive, operator.subject), operator)

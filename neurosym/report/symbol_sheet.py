@@ -6,7 +6,7 @@ from itertools import product
 from typing import Any
 
 from neurosym.grounding import Grounding
-from neurosym.operators import Category, Symbol
+from neurosym.operators import Category, Symbol, by_share
 from neurosym.report.drawings import (
     SIZE,
     effect_drawing,
@@ -36,8 +36,7 @@ def symbol_sheet(atlas: Atlas, grounding: Grounding) -> str:
         grounding: The categories, of which those that have colours are shown, and the operators.
     """
     symbols, palette = grounding.objects.symbols, Palette.of(grounding.objects.categories)
-    ranked = sorted(grounding.objects.categories, key=lambda one: (-one.share, one.symbol))
-    shown = ranked[: len(CATEGORY_COLOURS)]
+    shown = by_share(grounding.objects.categories)[: len(CATEGORY_COLOURS)]
     cells = [*_maps(atlas, palette), "".join(_legend(atlas, palette, shown))]
     places = [(8 + number % 2 * _COLUMN, 44 + number // 2 * _ROW) for number in range(len(cells))]
     parts = [_text(12, 28, f"Symbols of {grounding.name}", 'font-weight="bold"', 17)]

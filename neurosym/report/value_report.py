@@ -31,8 +31,7 @@ def gather_values(folder: DomainFolder) -> dict[str, Any]:
     seen, traits = Counter(symbols), traits_of(domain.categories, domain.features)
     palette = Palette(symbol for symbol, _ in seen.most_common())
     axes = _telling(traits, domain.features)
-    is_trained = (folder / layout.TRAINING).is_file()
-    report = read_json(folder / layout.TRAINING, TrainingReport) if is_trained else None
+    report = folder.found(layout.TRAINING, lambda path: read_json(path, TrainingReport))
     names = [axis.name for axis in domain.axes]
     return {
         "name": folder.path.resolve().name,

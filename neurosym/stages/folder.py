@@ -13,7 +13,7 @@ from enum import IntEnum
 from itertools import count
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import msgspec
 
@@ -111,6 +111,7 @@ def rehearsal_options(manifest: Manifest) -> tuple[int, int]:
     return options.get("objects", 100), options.get("seed", 0)
 
 
+_T = TypeVar("_T")
 Notify = Callable[[str], None]
 """Takes a remark, in a sentence without a full stop."""
 
@@ -153,6 +154,10 @@ class DomainFolder:
                 command, besides = f"{command} --world module:factory", " for the world of your data"
             raise StageMissing(path, command, besides)
         return path
+
+    def found(self, name: str, load: Callable[[Path], _T]) -> _T | None:
+        """Return what a file holds; None if it is not there."""
+        return load(self.path / name) if (self.path / name).is_file() else None
 
     def network(self) -> "EffectModel":
         """Read the network whose bits are the symbols; what it needs takes seconds to import."""

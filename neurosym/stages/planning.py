@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 
 from neurosym.choices import is_factory
-from neurosym.contract import ObjectLimits, limits_of
+from neurosym.contract import limits_of
 from neurosym.errors import InvalidPlanner, InvalidValue, StageMissing, blaming, quoted
 from neurosym.grounding import Grounding
 from neurosym.operators import symbols_of
@@ -68,7 +68,7 @@ def remarks_on_places(problem: Problem, grounding: Grounding) -> Iterator[str]:
 
 def remarks_on_number(folder: DomainFolder, problem: Problem) -> Iterator[str]:
     """Say if there are more objects than the world of a folder simulates; plans can be found all the same."""
-    limits = _limits(folder)
+    limits = folder.found(WORLD, read_limits)
     if limits and (reason := limits.too_many(len(problem.objects))):
         yield f"{reason}, so plans for this problem cannot be executed"
 
@@ -120,14 +120,10 @@ def check_scene(folder: DomainFolder, problem: Problem, path: Path, world: World
     That is judged by the folder's world, if it is at hand, or else by what `world.toml` says of it; see
     `check_problem`.
     """
-    grounding = Grounding.load(folder / GROUNDING) if (folder / GROUNDING).is_file() else None
-    limits = limits_of(world) if world else _limits(folder)
+    grounding = folder.found(GROUNDING, Grounding.load)
+    limits = limits_of(world) if world else folder.found(WORLD, read_limits)
     with blaming(path):
         check_problem(problem, grounding, limits)
-
-
-def _limits(folder: DomainFolder) -> ObjectLimits | None:
-    return read_limits(folder / WORLD) if (folder / WORLD).is_file() else None
 
 
 def plan_stage(

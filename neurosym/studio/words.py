@@ -13,7 +13,7 @@ from pathlib import Path
 from neurosym.errors import counted, harmless
 from neurosym.execution.record import Replanning, Run, StepRecord
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE
+from neurosym.operators import TOLERANCE, by_share
 from neurosym.problems import Problem, RelationGoal
 from neurosym.report.symbols import Promise, displacement_in_words
 from neurosym.stages.plan_records import PlanRecord
@@ -170,7 +170,7 @@ def bar(share: float) -> str:
 
 def legend(grounding: Grounding, palette: Palette, here: str = "") -> str:
     """Return the categories with their colours, codes, names and shares; `here` is the one at hand."""
-    every = sorted(grounding.objects.categories, key=lambda one: (-one.share, one.symbol))
+    every = by_share(grounding.objects.categories)
     rows = [
         (
             swatch(palette.hex(one.symbol)),

@@ -14,7 +14,7 @@ from neurosym.operators import Symbol
 from neurosym.pddl.plan_reading import read_words
 from neurosym.planners.bfs import DEPTH, MOST_SEQUENCES, breadth_first
 from neurosym.planners.external import answer_to
-from neurosym.planners.planner import Planner, PlanResult, PlanStatus
+from neurosym.planners.planner import MET_AT_START, Planner, PlanResult, PlanStatus
 from neurosym.tasks.transition import PlanStep
 from neurosym.values.domain import Outcome, ValueDomain, ValueOperator
 from neurosym.values.problem import Cell, ValueTask
@@ -47,7 +47,7 @@ def plan_values(
     """
     begin = time.perf_counter()
     if not task.replay(())[1]:
-        return PlanResult(PlanStatus.SOLVED, (), 0.0, "the goal is met at the start")
+        return MET_AT_START
     if planner.program is None:
         if not planner.name.startswith("bfs"):
             raise InvalidValue(f"{planner.name} does not plan with values; valid: bfs, or a planner of PDDL.")
