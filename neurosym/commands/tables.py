@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 
 from neurosym.data.category_names import traits_of
-from neurosym.data.cells import Cells
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import FLAGS
 from neurosym.errors import counted, harmless, listed_briefly
@@ -93,7 +92,10 @@ def show_righting(table: OperatorTable) -> None:
 def show_values(folder: DomainFolder) -> None:
     """Print the axes of a domain of values, what each operator does along them, and how good that is."""
     domain = domain_of(folder)
-    axes = [[cells.axis.name, cells.axis.kind, str(cells), _near(cells)] for cells in domain.cells]
+    axes = [
+        [axis.name, axis.kind, str(cells), f"{axis.tolerance:.3g}" if axis.tolerance else "-"]
+        for axis, cells in zip(domain.axes, domain.cells, strict=True)
+    ]
     show_table("axes; world.toml says otherwise", ["axis", "kind", "cells", "as promised within"], axes)
     rows = [
         [one.name, f"{one.outcome.count} of {one.trials}", domain.in_words(one)] for one in domain.operators
@@ -127,10 +129,6 @@ def show_value_run(run: ValueRun, domain: ValueDomain) -> None:
     show_table(f"{counted(len(run.steps), 'step')} of {run.problem}", ["step", *names, "as promised"], rows)
     anew = f", with {counted(run.replans, 'new plan')}" if run.replans else ""
     say(f"goal reached{anew}" if run.reached else f"goal missed{anew}: {run.reason}")
-
-
-def _near(cells: Cells) -> str:
-    return "-" if cells.axis.tolerance is None else f"{cells.axis.tolerance:.3g}"
 
 
 def show_relations(table: RelationOperators) -> None:

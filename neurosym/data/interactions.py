@@ -138,9 +138,6 @@ class Examination:
 def examine(path: Path) -> Examination:
     """Read what can be read of a data set, and list what is wrong with it; nothing is ever unpickled.
 
-    Args:
-        path: The file.
-
     Raises:
         InvalidFile: If it is no .npz file at all.
     """

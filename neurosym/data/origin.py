@@ -375,11 +375,7 @@ def _turning(columns: Columns, origin: Mapping[str, Any]) -> Iterator[str]:
 
 
 def too_few(rows: int) -> str | None:
-    """Say that there are too few interactions to train on, or return None.
-
-    Args:
-        rows: How many there are.
-    """
+    """Say that there are too few interactions to train on, or return None."""
     if rows >= LEAST_INTERACTIONS:
         return None
     return f"{rows} interactions are too few to train on; at least {LEAST_INTERACTIONS} are needed"

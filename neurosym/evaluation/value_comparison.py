@@ -22,11 +22,7 @@ ACTIONS = 3
 
 
 class ValueBench:
-    """A folder with data of a user's own, loaded to draw tasks from and to compare planners in; see `Bench`.
-
-    Args:
-        folder: The domain folder.
-    """
+    """A folder with a user's own data, loaded to draw tasks from and to compare planners in; see `Bench`."""
 
     def __init__(self, folder: DomainFolder):
         world = read_stepper(folder / layout.WORLD)

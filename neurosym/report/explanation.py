@@ -24,12 +24,7 @@ from neurosym.operators import (
     Symbol,
     names_of_features,
 )
-from neurosym.pair_operators import (
-    DESCRIPTION,
-    NEVER_CARRIES,
-    PairState,
-    RelationOperators,
-)
+from neurosym.pair_operators import DESCRIPTION, NEVER_CARRIES, PairState, RelationOperators
 from neurosym.pddl.compiler import with_every_outcome
 from neurosym.report import symbols
 from neurosym.report.symbols import AXES, EffectRow, Explanation, SymbolExplanation

@@ -11,16 +11,7 @@ from statistics import median
 
 from neurosym.errors import UnknownChoice
 from neurosym.grounding import Grounding, is_lift
-from neurosym.operators import (
-    CARRIED,
-    Category,
-    Mode,
-    Operator,
-    Primitive,
-    Symbol,
-    Vector,
-    names_of_features,
-)
+from neurosym.operators import CARRIED, Category, Mode, Operator, Primitive, Symbol, Vector, names_of_features
 from neurosym.problems import SceneObject
 from neurosym.tasks.promises import usable
 

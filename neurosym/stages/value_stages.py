@@ -24,15 +24,7 @@ from neurosym.stages.folder import Claim, DomainFolder, Stage
 from neurosym.stages.plan_records import put_plan, record_beside
 from neurosym.values.domain import ValueDomain, shown_by
 from neurosym.values.outcomes import compile_values
-from neurosym.values.problem import (
-    FORMAT,
-    Goal,
-    Thing,
-    ValueProblem,
-    ValueTask,
-    goal_in_words,
-    known_to,
-)
+from neurosym.values.problem import FORMAT, Goal, Thing, ValueProblem, ValueTask, goal_in_words, known_to
 from neurosym.values.traces import GivenSymbols
 from neurosym.values.value_execution import execute_values
 from neurosym.values.value_page import (
@@ -275,11 +267,7 @@ def plan_values_stage(
 ) -> Stage:
     """Plan with values: problem and domain (and network, for bfs) -> `plans/NAME.PLANNER.plan`, `.json`.
 
-    Args:
-        folder: The domain folder.
-        name: Name of the problem.
-        planner: Name of the planner.
-        time_limit: The user's ceiling [s].
+    The time limit is the user's ceiling [s].
     """
     chosen = planner_named(planner, folder.path)
     plan_file, record_file = layout.plan_files(name, chosen.name)

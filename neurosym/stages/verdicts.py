@@ -16,7 +16,7 @@ import numpy as np
 
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import is_explored
-from neurosym.errors import InvalidPlan, InvalidValue, UnknownChoice, counted, listed_briefly
+from neurosym.errors import InvalidPlan, InvalidValue, counted, listed_briefly
 from neurosym.files import read_text
 from neurosym.grounding import Grounding
 from neurosym.learning.training import TrainingReport
@@ -370,12 +370,10 @@ def judge_value_plan(folder: DomainFolder, name: str, plan_file: Path) -> PlanVe
     task = task_of(folder, name)
     actions = actions_of(task, plan_file)
     steps, is_short = read_steps(actions, task.domain), all(words[0] != "act" for words in actions)
-    try:
-        if is_short and not task.replay(steps)[1]:
-            actions = written(steps, task)
-        replay = task.replay(steps)[1] or task.strays(steps)
-    except UnknownChoice as error:
-        raise InvalidPlan(plan_file, 1, str(error).rstrip(".")) from error
+    said = task.replay(steps)[1]
+    if is_short and not said:
+        actions = written(steps, task)
+    replay = said or task.strays(steps)
     verdict = validate_pddl(value_page(task.domain).text(), value_problem(task).text(), actions)
     return PlanVerdict(
         problem=name,

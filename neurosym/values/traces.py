@@ -24,9 +24,6 @@ _MOST_BITS = 64
 class GivenSymbols:
     """Symbols that data bring: the bits of a thing are its features, and an action is the number of a choice.
 
-    Args:
-        interactions: The data.
-
     Raises:
         InvalidValue: If features are no bits, or actions are not one choice.
     """
@@ -76,12 +73,6 @@ def traces_text(
     action_symbols: Categorise,
 ) -> str:
     """Write each interaction as a trace of one action, by the names that the data have, where these are bits.
-
-    Args:
-        interactions: The data.
-        axes: What effects are along.
-        object_symbols: Gives the bits of features.
-        action_symbols: Gives the action symbols of actions.
 
     Raises:
         InvalidValue: If no feature shows what actions change, so that bits stay as they are.

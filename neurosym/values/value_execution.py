@@ -51,13 +51,6 @@ def execute_values(
 ) -> ValueRun:
     """Perform a plan, and ask for a new one where what is left of it would miss the goal.
 
-    Args:
-        task: The task.
-        steps: The plan.
-        perform: Performs an action.
-        solve: Makes a new plan.
-        replans: How many new plans may be asked for.
-
     Raises:
         InvalidWorld: If the world fails.
     """

@@ -44,9 +44,6 @@ class WorkerDied(NeurosymError):
 def worker_pool(workers: int) -> Iterator[Callable[..., Future[Any]]]:
     """Start processes, and yield what has one call a function with arguments; all must survive pickling.
 
-    Args:
-        workers: How many.
-
     Raises:
         CannotStart: If the system does not let them be started.
         InvalidValue: If this process is a worker that imports the main program.

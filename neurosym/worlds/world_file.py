@@ -138,9 +138,6 @@ def make_world(name: str, options: dict[str, Any]) -> World:
 def read_world(path: Path) -> "partial[World] | OwnFactory":
     """Read a `world.toml` and return a function that makes its world, in this process or another.
 
-    Args:
-        path: The file.
-
     Raises:
         InvalidFile: If the file is not TOML, or names an unknown world, option or value.
     """
@@ -160,9 +157,6 @@ def read_world(path: Path) -> "partial[World] | OwnFactory":
 
 def read_limits(path: Path) -> ObjectLimits | None:
     """Read from a `world.toml` which objects its world makes, without making the world.
-
-    Args:
-        path: The file.
 
     Returns:
         What it makes; None for a world of one's own.
