@@ -16,7 +16,7 @@ from neurosym.planners.bfs import DEPTH, MOST_SEQUENCES, breadth_first
 from neurosym.planners.external import answer_to
 from neurosym.planners.planner import MET_AT_START, Planner, PlanResult, PlanStatus
 from neurosym.tasks.transition import PlanStep
-from neurosym.values.domain import Outcome, ValueDomain, ValueOperator
+from neurosym.values.domain import ValueDomain, ValueOperator
 from neurosym.values.problem import Cell, ValueTask
 from neurosym.values.value_page import known_words, read_steps, value_page, value_problem
 
@@ -104,15 +104,13 @@ def search(task: ValueTask, *, time_limit: float) -> PlanResult:
 def predicted(domain: ValueDomain, predict: Predict) -> ValueDomain:
     """Return a domain in which each operator does what a network predicts through the symbols."""
     effects = predict([one.category for one in domain.operators], [one.primitive for one in domain.operators])
-
-    def told(operator: ValueOperator, effect: np.ndarray) -> ValueOperator:
+    found = list[ValueOperator]()
+    for operator, effect in zip(domain.operators, effects.tolist(), strict=True):
         steps = tuple(
-            Step(cells.shift(float(value))) if by is not None or not cells.axis.is_set
-            else Step(to=cells.clipped(float(value)))
+            Step(cells.shift(value)) if by is not None or not cells.axis.is_set
+            else Step(to=cells.clipped(value))
             for cells, by, value in zip(domain.cells, domain.shown, effect, strict=True)
         )  # fmt: skip
-        outcome: Outcome = msgspec.structs.replace(operator.outcome, steps=steps)
-        return msgspec.structs.replace(operator, outcome=outcome)
-
-    found = tuple(told(*pair) for pair in zip(domain.operators, effects, strict=True))
-    return msgspec.structs.replace(domain, operators=found)
+        outcome = msgspec.structs.replace(operator.outcome, steps=steps)
+        found.append(msgspec.structs.replace(operator, outcome=outcome))
+    return msgspec.structs.replace(domain, operators=tuple(found))
