@@ -10,7 +10,7 @@ import io
 import re
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -213,15 +213,10 @@ def _by_names(path: Path, table: Table) -> Roles:
     return Roles(**given, after=after, episode="episode" if "episode" in table and not is_told else "")
 
 
-class _Chosen(NamedTuple):
-    """Columns of a table that have one role."""
-
-    names: list[str]
-    values: Float[np.ndarray, "N C"]
-
-
-def _chosen(table: Table, mapping: Roles, wanted: Sequence[str]) -> _Chosen:
-    """Take columns of numbers from a table, as they are named in a mapping."""
+def _chosen(
+    table: Table, mapping: Roles, wanted: Sequence[str]
+) -> tuple[list[str], Float[np.ndarray, "N C"]]:
+    """Take columns of numbers from a table, as they are named in a mapping; return their names, and these."""
     names, parts = list[str](), [np.zeros((len(next(iter(table.values()))), 0))]
     for one in wanted:
         found = _column(table, one)
@@ -243,7 +238,7 @@ def _chosen(table: Table, mapping: Roles, wanted: Sequence[str]) -> _Chosen:
             is_single = found.shape[1] == 1 and not part
             names.append(own[0] if own else plain if is_single else f"{array}{first + number}")
         parts.append(found.astype(np.float64))
-    return _Chosen(names, np.concatenate(parts, axis=1))
+    return names, np.concatenate(parts, axis=1)
 
 
 def _column(table: Table, name: str) -> np.ndarray:
@@ -292,25 +287,25 @@ def _gathered(table: Table, mapping: Roles) -> tuple[dict[str, np.ndarray], dict
         raise InvalidValue(
             "It must name effects, or else after or an episode, by which features became others"
         )
-    features = _chosen(table, mapping, mapping.features)
-    actions = _chosen(table, mapping, mapping.actions)
-    names, columns = [*actions.names], [actions.values]
+    feature_names, features = _chosen(table, mapping, mapping.features)
+    names, actions = _chosen(table, mapping, mapping.actions)
+    columns = [actions]
     for one in mapping.choices:
         words, marks = _marked(_column(table, one), one)
         names += words
         columns.append(marks)
     if mapping.effects:
-        effects = _chosen(table, mapping, mapping.effects)
-        named = mapping.axes or [{"name": legal_name(name)} for name in effects.names]
-        axes, changed = axes_in(named, effects.values.shape[1]), effects.values
+        effect_names, effects = _chosen(table, mapping, mapping.effects)
+        named = mapping.axes or [{"name": legal_name(name)} for name in effect_names]
+        axes = axes_in(named, effects.shape[1])
     else:
-        axes, changed = _changed(table, mapping, features)
-    arrays = {"features": features.values, "actions": np.concatenate(columns, axis=1), "effects": changed}
+        axes, effects = _changed(table, mapping, feature_names, features)
+    arrays = {"features": features, "actions": np.concatenate(columns, axis=1), "effects": effects}
     origin: dict[str, Any] = {
-        "feature_names": features.names,
+        "feature_names": feature_names,
         "action_names": names,
         "axes": as_tables(axes),
-        **({"choices": list(range(actions.values.shape[1], len(names)))} if mapping.choices else {}),
+        **({"choices": list(range(actions.shape[1], len(names)))} if mapping.choices else {}),
         **mapping.origin,
     }
     return {name: array.astype(np.float32) for name, array in arrays.items()}, origin
@@ -334,21 +329,20 @@ def _marked(column: np.ndarray, name: str) -> tuple[list[str], np.ndarray]:
 
 
 def _changed(
-    table: Table, mapping: Roles, features: _Chosen
+    table: Table, mapping: Roles, feature_names: Sequence[str], features: Float[np.ndarray, "N F"]
 ) -> tuple[tuple[Axis, ...], Float[np.ndarray, "N E"]]:
     """Return the axes of what became of features, and the effects along them."""
     named = mapping.after if isinstance(mapping.after, dict) else {}
-    found = _chosen(table, mapping, [*(named.values() if named else mapping.after)])
-    is_known = {*found.names} <= {*features.names}  # else they are all features, in their order
-    before = [*named] or (found.names if is_known else features.names)
-    if missing := next((name for name in named if name not in features.names), None):
+    names, after = _chosen(table, mapping, [*(named.values() if named else mapping.after)])
+    is_known = {*names} <= {*feature_names}  # else they are all features, in their order
+    before = [*named] or (names if is_known else feature_names)
+    if missing := next((name for name in named if name not in feature_names), None):
         raise InvalidValue(
-            f"after names {missing}, which is no feature; features: {', '.join(features.names)}"
+            f"after names {missing}, which is no feature; features: {', '.join(feature_names)}"
         )
-    after = found.values
     if after.shape[1] != len(before):
         raise InvalidValue(f"after has {after.shape[1]} columns; valid: {len(before)}, one for each feature")
-    now = features.values[:, [features.names.index(name) for name in before]]
+    now = features[:, [feature_names.index(name) for name in before]]
     known = {axis.name: axis for axis in (axes_in(mapping.axes, None) if mapping.axes else ())}
     if strange := next((name for name in known if name not in map(legal_name, before)), None):
         raise InvalidValue(f"There is an axis {strange}, which `after` does not name")
