@@ -33,8 +33,8 @@ class ValueBench:
     @staticmethod
     def files(folder: DomainFolder) -> tuple[str, ...]:
         """Name the files that a comparison depends on."""
-        known = (layout.WORLD, layout.INTERACTIONS, layout.GROUNDING, layout.MODEL)
-        return tuple(name for name in known if name == layout.GROUNDING or (folder / name).exists())
+        before = folder.there(layout.WORLD, layout.INTERACTIONS)
+        return (*before, layout.GROUNDING, *folder.there(layout.MODEL))
 
     def draw(self, things: int, seed: int, *_: object) -> ValueProblem:
         """Draw a task."""

@@ -159,6 +159,10 @@ class DomainFolder:
         """Return what a file holds; None if it is not there."""
         return load(self.path / name) if (self.path / name).is_file() else None
 
+    def there(self, *names: str) -> tuple[str, ...]:
+        """Name those of some files that are there."""
+        return tuple(name for name in names if (self.path / name).exists())
+
     def network(self) -> "EffectModel":
         """Read the network whose bits are the symbols; what it needs takes seconds to import."""
         from neurosym.learning.network import EffectModel

@@ -108,6 +108,7 @@ def _state_asked(asked: str, relations: RelationOperators) -> str:
 
 
 _OF_PAIRS = (layout.RELATION_MODEL, layout.RELATION_CHANCES, layout.RELATION_STATES)
+"""What `sight_of_pairs` reads."""
 
 
 def sight_of_pairs(folder: DomainFolder) -> PairSight | None:
@@ -135,11 +136,6 @@ def sight_of_pairs(folder: DomainFolder) -> PairSight | None:
         return foresee(features, np.array(aimed))
 
     return PairSight(kinds, chances, bearing)
-
-
-def _networks_of_pairs(folder: DomainFolder) -> tuple[str, ...]:
-    """Name the files that `sight_of_pairs` reads."""
-    return tuple(name for name in _OF_PAIRS if (folder / name).exists())
 
 
 def ways_of(problem: Problem, grounding: Grounding, sight: PairSight | None = None) -> Ways:
@@ -211,7 +207,7 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
 
     is_relational = bool(asked.relations) or asked.task in RELATION_TASKS
     printed_as = layout.problem_files(name)[:1] if is_relational else layout.problem_files(name)
-    inputs = (layout.WORLD, layout.MODEL, layout.GROUNDING, *_networks_of_pairs(folder))
+    inputs = (layout.WORLD, layout.MODEL, layout.GROUNDING, *folder.there(*_OF_PAIRS))
     return Stage(f"new-problem {name}", inputs, (*printed_as, layout.scene_file(name)), work, asked.options())
 
 
@@ -271,7 +267,7 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
 
     options = {"scene": digest(file)} | ({} if tolerance is None else {"tolerance": tolerance})
     outputs = (*layout.problem_files(name), layout.scene_file(name))
-    inputs = (layout.WORLD, layout.GROUNDING, *_networks_of_pairs(folder))
+    inputs = (layout.WORLD, layout.GROUNDING, *folder.there(*_OF_PAIRS))
     return Stage(f"new-problem {name}", inputs, outputs, work, options)
 
 

@@ -176,8 +176,7 @@ def value_problem_stage(
         with blaming(scene) if scene else nullcontext():
             _put(folder, problem, domain)
 
-    learned = (layout.MODEL,) if (folder / layout.MODEL).exists() else ()
-    inputs = (layout.GROUNDING, *learned, layout.INTERACTIONS)
+    inputs = (layout.GROUNDING, *folder.there(layout.MODEL), layout.INTERACTIONS)
     options: dict[str, Any] = {"things": things, "actions": actions, "seed": seed, "goals": goals}
     outputs = (layout.problem_file(name, layout.PDDL), layout.scene_file(name))
     return Stage(f"new-problem {name}", inputs, outputs, work, options)
@@ -271,7 +270,7 @@ def plan_values_stage(
     """
     chosen = planner_named(planner, folder.path)
     plan_file, record_file = layout.plan_files(name, chosen.name)
-    network = (layout.MODEL,) if chosen.reads == "network" and (folder / layout.MODEL).exists() else ()
+    network = folder.there(layout.MODEL) if chosen.reads == "network" else ()
 
     def work() -> None:
         task = task_of(folder, name)
