@@ -9,7 +9,7 @@ from neurosym.planners.planner import Planner
 from neurosym.planners.registry import planner_named
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.value_stages import USUAL_REPLANS, domain_of, drawn_problem, prediction_of
+from neurosym.stages.value_stages import USUAL_REPLANS, domain_of, drawn_problem
 from neurosym.tasks.transition import named_steps
 from neurosym.values.problem import ValueProblem, ValueTask
 from neurosym.values.value_execution import ValueRun, execute_values
@@ -28,7 +28,7 @@ class ValueBench:
         world = read_stepper(folder / layout.WORLD)
         self._folder, self._domain = folder, domain_of(folder)
         self._perform = HostedStates(*world, folder.path).step if world else None
-        self._predict = prediction_of(folder) if (folder / layout.MODEL).exists() else None
+        self._predict = folder.network().predict_symbols if (folder / layout.MODEL).exists() else None
 
     @staticmethod
     def files(folder: DomainFolder) -> tuple[str, ...]:
@@ -52,9 +52,8 @@ class ValueBench:
         return TaskRecord(problem, met_at_start=False, attempts=attempts)
 
     def _attempt(self, task: ValueTask, planner: Planner, time_limit: float | None) -> Attempt:
-        limit = planner.ceiling if time_limit is None else time_limit
         predict = self._predict if planner.reads == "network" else None
-        solve = partial(plan_values, planner=planner, time_limit=limit, predict=predict)
+        solve = partial(plan_values, planner=planner, time_limit=time_limit, predict=predict)
         result = solve(task)
         strays = task.strays(result.steps) if result.has_plan else ""
         blind, replanned = None, None

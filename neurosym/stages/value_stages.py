@@ -1,7 +1,7 @@
 """The stages of a domain of values: data of which there is no world, compiled, planned with and judged."""
 
 from collections.abc import Iterator
-from contextlib import nullcontext, suppress
+from contextlib import closing, nullcontext, suppress
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -35,7 +35,7 @@ from neurosym.values.value_page import (
     value_problem,
     written,
 )
-from neurosym.values.value_planning import Predict, plan_values
+from neurosym.values.value_planning import plan_values
 from neurosym.worlds.state_world import HostedStates
 from neurosym.worlds.world_file import has_world, read_axes, read_stepper
 
@@ -274,9 +274,8 @@ def plan_values_stage(
 
     def work() -> None:
         task = task_of(folder, name)
-        limit = chosen.ceiling if time_limit is None else time_limit
-        predict = prediction_of(folder) if network else None
-        result = plan_values(task, chosen, time_limit=limit, predict=predict)
+        predict = folder.network().predict_symbols if network else None
+        result = plan_values(task, chosen, time_limit=time_limit, predict=predict)
         text, found = None, dict[str, Any]()
         if result.status is PlanStatus.SOLVED:
             text = "".join(f"({' '.join(words)})\n" for words in written(result.steps, task))
@@ -287,11 +286,6 @@ def plan_values_stage(
     inputs = (layout.scene_file(name), layout.GROUNDING, *network)
     outputs = (plan_file, record_file, layout.steps_file(plan_file))
     return Stage(f"plan {name} {chosen.name}", inputs, outputs, work, options)
-
-
-def prediction_of(folder: DomainFolder) -> Predict:
-    """Return what the network of a folder predicts through the symbols."""
-    return folder.network().predict_symbols
 
 
 def execute_values_stage(
@@ -320,24 +314,15 @@ def execute_values_stage(
     if world is None:
         said = 'it names no world that could perform a plan; valid: world = "module:factory" beside its axes'
         raise InvalidFile(folder / layout.WORLD, said)
-    limit = chosen.ceiling if time_limit is None else time_limit
     usual = USUAL_REPLANS if record_beside(plan_file) else 0
     many, record = usual if replans is None else replans, layout.run_file(name, plan_file)
 
     def work() -> None:
         task = task_of(folder, name)
         steps = read_steps(actions_of(task, plan_file), task.domain)
-        host = HostedStates(*world, folder.path)
-        try:
-            run = execute_values(
-                task,
-                steps,
-                host.step,
-                solve=partial(plan_values, planner=chosen, time_limit=limit) if many else None,
-                replans=many,
-            )
-        finally:
-            host.close()
+        solve = partial(plan_values, planner=chosen, time_limit=time_limit) if many else None
+        with closing(HostedStates(*world, folder.path)) as host:
+            run = execute_values(task, steps, host.step, solve=solve, replans=many)
         make_folder(folder / layout.RUNS)
         write_json(folder / record, run)
 

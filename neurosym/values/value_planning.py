@@ -31,7 +31,7 @@ def plan_values(
     task: ValueTask,
     planner: Planner,
     *,
-    time_limit: float,
+    time_limit: float | None = None,
     predict: Predict | None = None,
 ) -> PlanResult:
     """Plan for a task of values; finding no plan is a result.
@@ -39,20 +39,20 @@ def plan_values(
     Args:
         task: The task.
         planner: The planner: one that takes the page, or breadth-first search.
-        time_limit: The user's ceiling [s].
+        time_limit: The user's ceiling [s]; the planner's own if not given.
         predict: What a network predicts, for breadth-first search over that.
 
     Raises:
         InvalidValue: If the planner takes no page.
     """
-    begin = time.perf_counter()
+    begin, limit = time.perf_counter(), planner.ceiling if time_limit is None else time_limit
     if not task.replay(())[1]:
         return MET_AT_START
     if planner.program is None:
         if not planner.name.startswith("bfs"):
             raise InvalidValue(f"{planner.name} does not plan with values; valid: bfs, or a planner of PDDL.")
         over = predicted(task.domain, predict) if predict else task.domain
-        result = search(ValueTask(task.problem, over), time_limit=time_limit)
+        result = search(ValueTask(task.problem, over), time_limit=limit)
         if result.has_plan and (said := task.replay(result.steps)[1]):
             reason = (
                 f"the network predicts a plan of {counted(len(result.steps), 'step')}; by the data, {said}"
@@ -61,7 +61,7 @@ def plan_values(
         return result
     costs = planner.program.costs
     texts = value_page(task.domain).text(costs=costs), value_problem(task).text(costs=costs)
-    answer = answer_to(planner.program.call, texts, time_limit=time_limit)
+    answer = answer_to(planner.program.call, texts, time_limit=limit)
     seconds = time.perf_counter() - begin
     if answer.status is not PlanStatus.SOLVED:
         return PlanResult(answer.status, (), seconds, answer.reason)
