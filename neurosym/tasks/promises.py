@@ -23,6 +23,12 @@ from neurosym.tasks.pasts import LEAST_CHANCE, as_it_lies, promised_after
 from neurosym.world import heading, turned_by
 
 _LEAST_REHEARSALS = 8  # with fewer that ended as promised, nothing is refined
+OUTSIDE = 0.75
+"""How much rarer a promise is kept with objects that are larger or smaller than all that were rehearsed.
+
+Chosen on 60 objects with every size in the lowest or highest tenth of what the world draws: inside of what
+was rehearsed, 89 % were said of 253 motions and 88 % came; outside, 92 % of 107 and 72 %.
+"""
 LAST_WAYPOINT = 4
 """So many numbers of an action are its last waypoint, which is relative to what it is aimed at."""
 _BEYOND = 0.5  # how far outside of what was rehearsed an object may be, in spreads of the features
@@ -131,6 +137,11 @@ def is_rehearsed(category: Category, features: Sequence[float]) -> bool:
     return len(features) == len(low) and bool(np.all((low <= features) & (features <= high)))
 
 
+def _is_inside(objects: Float[np.ndarray, "N F"], features: tuple[float, ...]) -> bool:
+    """Say whether each feature lies between the least and the greatest of those that were rehearsed."""
+    return bool(np.all((objects.min(0) <= features) & (features <= objects.max(0))))
+
+
 @lru_cache(maxsize=256)
 def _promised(
     grounding: Grounding,
@@ -176,7 +187,9 @@ def refined(
         return _plain(operator)
     at = (np.array(features) - regression.centre) / regression.scale
     values, spreads = regression.predict(at), regression.spreads(at)
-    so, kept = (round(regression.chance(at, within) * operator.trials) for within in (np.inf, tolerance))
+    is_inside = _is_inside(np.array(rehearsed_objects(operator, category)), features)
+    sure = operator.trials * (1.0 if is_inside else OUTSIDE)
+    so, kept = (round(regression.chance(at, within) * sure) for within in (np.inf, tolerance))
     is_held = promise.kind == "held"
     resting = (*values[:2].tolist(), promise.resting_effect[2])
     resting_spread = (*spreads[:2].tolist(), promise.resting_spread[2])
