@@ -93,7 +93,11 @@ ROUNDED = 1e-9
 """What binary numbers make of a sum of decimal ones, at most: 0.14 + 0.04 is no more than 0.18 [m]."""
 
 
-class Trial(Document, frozen=True, omit_defaults=True):
+THIS_RUN = "this run"
+"""The run that a trial is of while that goes on."""
+
+
+class Trial(Document, frozen=True, omit_defaults=True, cache_hash=True):
     """What became of an object when something was done to it; see `neurosym.tasks.pasts`."""
 
     motion: str  #: Which motion was performed, as operators are labelled
@@ -103,7 +107,7 @@ class Trial(Document, frozen=True, omit_defaults=True):
     lay: tuple[float, float, float, float]  #: Its orientation before, as a quaternion (x, y, z, w)
     crowded: bool = False  #: Whether other objects were in the way
     forgotten: bool = False  #: Whether it counts only against hoping for what it shows to fail
-    run: str = ""  #: The record of the run that it was seen in, if it was one
+    run: str = ""  #: The record of the run that it was seen in, or `THIS_RUN`; empty if it was tried
 
 
 class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):

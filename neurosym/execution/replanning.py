@@ -11,7 +11,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.planners.planner import UNTOLD, Effort, PlanStatus
 from neurosym.planners.registry import Replanner
-from neurosym.problems import Problem, SceneObject, Trial, pair_key
+from neurosym.problems import THIS_RUN, Problem, SceneObject, Trial, pair_key
 from neurosym.tasks.lying import as_it_shows, lying, righted
 from neurosym.tasks.options import put_named
 from neurosym.tasks.pasts import (
@@ -86,7 +86,7 @@ class Experience:
             kept = put is not None and ended_in(outcome, self.grounding) == put.state
             self._kept.setdefault((pair_key(step.object, step.place), _way(operator)), []).append(kept)
             return None
-        seen = trial_of(outcome, operator, self.grounding.turned)
+        seen = trial_of(outcome, operator, self.grounding.turned, THIS_RUN)
         self._seen.setdefault(step.object, []).append(seen)
         return seen
 

@@ -8,6 +8,7 @@ likely, an operator promises what was seen in place of what did not come.
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import msgspec
@@ -44,9 +45,11 @@ After three tries the chances of other motions have a Brier score of .172, and .
 tries; of usual objects .065 and .062.
 """
 BORROWED = 0.5
-"""How much rarer than with objects of its category an operator keeps its promise with another object.
+"""How much rarer than with objects of its category an operator keeps its promise with one that was tried.
 
-On the objects that `EXPECTED` was chosen on, what carries other categories does so in 45 % of its chance.
+Of objects that were not, features say well enough what grasps them: in 40 runs of pushed objects this took a
+fifth more motions. On the objects that `EXPECTED` was chosen on, what carries others does so in 45 % of its
+chance.
 """
 GRASPED = ("held", "carried")
 """How what is grasped ends; one motion that grasps tells of others, and one that pushes of others."""
@@ -62,8 +65,11 @@ def motion_of(operator: Operator) -> str:
     return f"{_TO}{operator.label}" if operator.frame == "place" else operator.label
 
 
-def trial_of(outcome: Outcome, operator: Operator, turned: bool) -> Trial:
-    """Say what became of an object, in the frame in which motions are learned; these may turn as it lies."""
+def trial_of(outcome: Outcome, operator: Operator, turned: bool, run: str = "") -> Trial:
+    """Say what became of an object, in the frame in which motions are learned; these may turn as it lies.
+
+    It was seen in a run, or tried.
+    """
     lay = outcome.start.orientations[outcome.target]
     turn = heading(lay) if turned else 0.0
     effects = outcome.effect, outcome.resting_effect
@@ -76,6 +82,7 @@ def trial_of(outcome: Outcome, operator: Operator, turned: bool) -> Trial:
         resting_effect=vector(effects[1]),
         lay=tuple(lay.tolist()),
         crowded=bool(outcome.touched or outcome.disturbed),
+        run=run,
     )
 
 
@@ -111,7 +118,14 @@ def past_of(item: SceneObject) -> tuple[Trial, ...]:
 def as_it_lies(item: SceneObject, turned: bool) -> tuple[Trial, ...]:
     """Return what an object did while it lay as it does now, but for turns that do not matter."""
     past = past_of(item)
-    axes = _axes(item.orientation, turned)
+    return _while_it_lay(item.orientation, past, turned) if past else ()
+
+
+@lru_cache(maxsize=1024)
+def _while_it_lay(
+    orientation: tuple[float, float, float, float], past: tuple[Trial, ...], turned: bool
+) -> tuple[Trial, ...]:
+    axes = _axes(orientation, turned)
     between = ((one, (float(np.trace(axes.T @ _axes(one.lay, turned))) - 1) / 2) for one in past)
     return tuple(one for one, cosine in between if math.acos(min(1.0, max(-1.0, cosine))) < _AS_IT_LAY)
 
@@ -132,7 +146,7 @@ def promised_after(
 
     Args:
         own: What is learned of its category, as it promises for such an object of which nothing was seen.
-        known: All that is learned; what grasps objects of other categories may grasp it, too.
+        known: All that is learned; what grasps objects of other categories may grasp it, if it was tried.
         past: What was seen of it while it lay as it does now.
         tolerance: An outcome that comes within this of the promise has kept it [m].
     """
@@ -140,7 +154,8 @@ def promised_after(
     for one in past:
         seen.setdefault(one.motion, []).append(one)
     usual = {one.name: msgspec.structs.replace(one, company=()) for one in own.values()}
-    usual |= _borrowed(known, own.values())
+    if any(not one.run for one in past):  # it was met, and may be unlike what its features say
+        usual |= _borrowed(known, own.values())
     evidence = _evidence(usual, seen, tolerance)
     carried = [one.kind == "carried" for one in past if one.motion.startswith(_TO) and not one.forgotten]
     is_slippery = len(carried) >= SLIPPERY and not any(carried)

@@ -24,8 +24,9 @@ READS = {
     "distill": "*_model.safetensors interactions.npz world.toml manifest.json",
     "compile-domain": "pr*.json upright/*.json world.toml manifest.json",
     "new-problem": "world.toml grounding.json effect_model.safetensors manifest.json problems/*.scene.json",
-    "plan": "grounding.json problems/* world.toml effect_model.safetensors manifest.json",
-    "execute": "grounding.json problems/*.scene.json plans/*.plan world.toml runs/*.json manifest.json",
+    "plan": "grounding.json problems/* world.toml effect_model.safetensors pasts/* manifest.json",
+    "execute": "grounding.json problems/*.scene.json plans/*.plan world.toml runs/*.json pasts/*",
+    "meet": "grounding.json problems/*.scene.json world.toml pasts/*",
     "replay": "runs/*.json grounding.json problems/*.scene.json world.toml",
     "compare": "comparison/*/*.json grounding.json world.toml effect_model.safetensors",
     "show": "interactions.npz grounding.json problems/*.scene.json world.toml effect_model.* manifest.json",
@@ -116,6 +117,7 @@ LEARN = (
 )
 MORE = (
     "plan {0} task-01 --planner bfs",
+    "meet {0} task-01 --tries 1",
     "new-problem {0} --name far --seed 3 --goal item-01=0.98,0.29",
     "new-problem {0} --name long --seed 5 --objects 3 --actions 4",
     "plan {0} long",

@@ -91,7 +91,14 @@ def test_every_file_that_a_command_reads_is_there_and_is_changed_the_same_again(
     # The folder was explored at once; tests/commands/test_rounds.py damages what rounds keep.
     without = {layout.PLAIN_DOMAIN, layout.DURATIVE_DOMAIN} | {layout.STATES, layout.CHANCES, layout.BUDGET}
     assert read - without - {name for name in read if "relation" in name} <= seeds.keys()
-    for end in (layout.SCENE, layout.NUMERIC_PDDL, layout.RECORD, ".plan", "interactions.partial.npz"):
+    for end in (
+        layout.SCENE,
+        layout.NUMERIC_PDDL,
+        layout.RECORD,
+        ".plan",
+        "item-01.json",
+        "interactions.partial.npz",
+    ):
         assert any(path.endswith(end) for path in seeds), end
     for path, content in seeds.items():
         drawn = [mutated(Random(n), path, seeds) for n in range(9)]

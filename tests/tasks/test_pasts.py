@@ -80,7 +80,11 @@ def test_an_object_that_was_met_may_be_grasped_as_others_are():
     own = {one.label for one in learned.operators_on("10") if one.frame == "place"}
     others = [one for one in learned.live_on("place") if one.label not in own and one.subject != "10"]
     assert not {one.name for one in others} & promised(learned, item).keys()
-    met = promised(learned, msgspec.structs.replace(item, past=()))
+    tried = Trial("another motion", "resting", (0.0,) * 3, (0.0,) * 3, STRAIGHT)
+    in_a_run = msgspec.structs.replace(tried, run="task-01.bfs")
+    in_runs = promised(learned, msgspec.structs.replace(item, past=(in_a_run,)))
+    assert promised(learned, item).keys() == in_runs.keys()
+    met = promised(learned, msgspec.structs.replace(item, past=(tried,)))
     offered = [met[one.name] for one in others if one.name in met]
     assert len({one.label for one in offered}) == len(offered) > 2  # each motion once
     for one in offered:
@@ -88,6 +92,6 @@ def test_an_object_that_was_met_may_be_grasped_as_others_are():
         assert one.successes == pytest.approx(0.5 * usual.successes, abs=1)
     first, *rest = offered
     missed = Trial(f"to-{first.label}", "missed", (0.0,) * 3, (0.0,) * 3, STRAIGHT)
-    again = promised(learned, msgspec.structs.replace(item, past=(missed,)))
+    again = promised(learned, msgspec.structs.replace(item, past=(tried, missed)))
     assert again[first.name].chance < LEAST_CHANCE
     assert all(again[one.name].chance < one.chance for one in rest)
