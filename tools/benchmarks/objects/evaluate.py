@@ -63,10 +63,6 @@ def main(
 def jobs(scale: float, first: int) -> Jobs:
     """List what is tried, by name."""
     found = Jobs()
-    for block in _blocks(options.scaled(scale, UNSEEN_TASKS), first):
-        for shape in tasks.SHAPES:
-            for kind in ("carry", "push", "stack"):
-                found[f"{kind}-{shape}-{block.start}"] = partial(try_unseen, kind, shape, block)
     for block in _blocks(options.scaled(scale, LOOKALIKES), first):
         for kind in ("carry", "pushes"):
             found[f"look-{kind}-{block.start}"] = partial(try_lookalikes, kind, block)
@@ -77,6 +73,10 @@ def jobs(scale: float, first: int) -> Jobs:
             for is_high in (False, True):
                 name = f"edge-{feature}-{'high' if is_high else 'low'}-{block.start}"
                 found[name] = partial(try_edge, feature, is_high, block)
+    for block in _blocks(options.scaled(scale, UNSEEN_TASKS), first):
+        for shape in tasks.SHAPES:
+            for kind in ("carry", "push", "stack"):
+                found[f"{kind}-{shape}-{block.start}"] = partial(try_unseen, kind, shape, block)
     return found
 
 
