@@ -24,6 +24,8 @@ from tools.benchmarks.jobs import Jobs
 
 SEEDS, INTERACTIONS, HELD_OUT = 5, 4000, 1000
 VARIANTS = ("displacement", "all", "touch first")
+TOLD = ("held", "moved", "displacement")
+"""What bits are asked of new interactions: whether the object is held, or moved, and where it ended."""
 MOVED = 0.01  # what moves farther was moved [m]
 _EVERY = 4  # steps of the simulation between two looks
 _TARGET, _ROBOT = 1, 2  # bodies of a scene of one object, after the table
@@ -117,7 +119,7 @@ def _told(model: EffectModel, data: Interactions, learned: slice, new: slice) ->
         "moved": (np.linalg.norm(ended, axis=1) > MOVED).astype(float)[:, None],
         "displacement": ended,
     }
-    return {name: _explained(codes, values, learned, new) for name, values in judged.items()}
+    return {name: _explained(codes, judged[name], learned, new) for name in TOLD}
 
 
 def _explained(codes: np.ndarray, values: Float[np.ndarray, "N D"], learned: slice, new: slice) -> float:

@@ -28,7 +28,7 @@ from neurosym.world import relative_to
 from tools.benchmarks import options
 from tools.benchmarks.domains import bench_of
 from tools.benchmarks.jobs import Evaluation, Jobs
-from tools.benchmarks.objects import tasks
+from tools.benchmarks.objects import contact, tasks
 from tools.benchmarks.objects.summary import page, summarise
 from tools.benchmarks.planning.trials import PLANNER
 
@@ -57,6 +57,7 @@ def main(
         evaluation.write(summary, page(summary))
 
     evaluation.perform(jobs(scale, first), "objects", report)
+    evaluation.perform(contact.jobs(), "learning from contact and force", report)
     report()
 
 
