@@ -48,7 +48,7 @@
     (check item-01 park-03 nowhere)
     (check item-02 park-03 nowhere)
     ; what can be carried, from where, and its price
-    (can-carry item-01 cost4)
+    (can-carry item-01 cost7)
     (can-carry item-02 cost4)
     ; item-03 lies at (0.4937, -0.0160, 0.0321) m at first
     (by-cells item-03) (on-table item-03) (at-x item-03 x14) (at-y item-03 y28) (pushes item-03 m-0000b dx-4 dy-1 cost14) (pushes item-03 m-0100 dx-7 dy0 cost7) (pushes item-03 m-0100c dx-6 dy2 cost11) (pushes item-03 m-0110c dx-3 dy-1 cost7) (pushes item-03 m-1110c dx-4 dy3 cost4) (pushes item-03 m-0101c dx4 dy-2 cost14) (pushes item-03 m-1011 dx8 dy1 cost4) (pushes item-03 m-1001c dx6 dy7 cost11) (pushes item-03 m-1010 dx1 dy2 cost7) (pushes item-03 m-1100c dx2 dy7 cost56) (pushes item-03 m-0111c dx2 dy-5 cost56) (pushes item-03 m-1111 dx3 dy-1 cost21) (pushes item-03 m-1000 dx0 dy2 cost7) (pushes item-03 m-0001b dx-1 dy-5 cost11) (pushes item-03 m-0011 dx1 dy-4 cost87)

@@ -95,7 +95,7 @@
     (can-carry item-03 cost4)
     (can-carry item-05 cost4)
     (can-carry item-07 cost4)
-    (can-carry item-08 cost4)
+    (can-carry item-08 cost7)
     ; item-02 lies at (0.4878, 0.1407, 0.0140) m at first
     (by-cells item-02) (on-table item-02) (at-x item-02 x14) (at-y item-02 y44) (pushes item-02 m-0000b dx-5 dy-1 cost14) (pushes item-02 m-0100 dx-8 dy-1 cost7) (pushes item-02 m-0100c dx-8 dy4 cost11) (pushes item-02 m-0110c dx-2 dy0 cost4) (pushes item-02 m-1110c dx-4 dy3 cost4) (pushes item-02 m-0101c dx3 dy1 cost14) (pushes item-02 m-1011 dx8 dy1 cost4) (pushes item-02 m-1001c dx7 dy5 cost25) (pushes item-02 m-1010 dx3 dy4 cost7) (pushes item-02 m-1100c dx2 dy2 cost4) (pushes item-02 m-0111c dx7 dy-8 cost17) (pushes item-02 m-1111 dx3 dy-3 cost7) (pushes item-02 m-1000 dx-1 dy4 cost7) (pushes item-02 m-0001b dx-2 dy-5 cost11) (pushes item-02 m-0011 dx1 dy-4 cost37) (pushes item-02 m-1101 dx0 dy-3 cost11)
     ; and shall come to (0.9061, -0.1016, 0.0140) m

@@ -12,7 +12,7 @@
     rests-on-item-01 rests-on-item-02 rests-on-item-03 rests-on-item-04 - perch
     n1 n2 - count
     way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 - way
-    cost4 cost12 cost22 cost32 cost37 cost57 cost61 cost64 cost70 cost77 cost116 cost121 cost133 cost136 - price)
+    cost4 cost7 cost12 cost22 cost32 cost37 cost57 cost61 cost64 cost70 cost77 cost116 cost121 cost133 cost136 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -38,7 +38,7 @@
     (check item-03 park-04 nowhere)
     ; what can be carried, from where, and its price
     (can-carry item-02 from-spot cost4) (can-carry item-02 from-perch cost4)
-    (can-carry item-03 from-spot cost4) (can-carry item-03 from-perch cost4)
+    (can-carry item-03 from-spot cost7) (can-carry item-03 from-perch cost7)
     ; counting
     (next n0 n1)
     (next n1 n2)
@@ -63,7 +63,7 @@
     (fee way8 from-perch n0 cost121) (fee way8 from-spot n0 cost121)
     (fee way9 from-perch n0 cost133) (fee way9 from-spot n0 cost121)
     (fee way10 from-perch n0 cost136) (fee way10 from-spot n0 cost116)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost22) 22) (= (cost cost32) 32) (= (cost cost37) 37) (= (cost cost57) 57) (= (cost cost61) 61) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost77) 77) (= (cost cost116) 116) (= (cost cost121) 121) (= (cost cost133) 133) (= (cost cost136) 136)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7) (= (cost cost12) 12) (= (cost cost22) 22) (= (cost cost32) 32) (= (cost cost37) 37) (= (cost cost57) 57) (= (cost cost61) 61) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost77) 77) (= (cost cost116) 116) (= (cost cost121) 121) (= (cost cost133) 133) (= (cost cost136) 136)
   )
   (:goal (and (stands item-03 rests-on-item-01) (stands item-02 rests-on-item-04)))
   (:metric minimize (total-cost)))

@@ -74,7 +74,7 @@
     ; what can be carried, from where, and its price
     (can-carry item-01 from-spot cost4) (can-carry item-01 from-perch cost4)
     (can-carry item-02 from-spot cost11) (can-carry item-02 from-perch cost11)
-    (can-carry item-03 from-spot cost4) (can-carry item-03 from-perch cost4)
+    (can-carry item-03 from-spot cost11) (can-carry item-03 from-perch cost11)
     (can-carry item-04 from-spot cost11) (can-carry item-04 from-perch cost11)
     (can-carry item-05 from-spot cost11) (can-carry item-05 from-perch cost11)
     (can-carry item-06 from-spot cost4) (can-carry item-06 from-perch cost4)
