@@ -18,6 +18,8 @@ from neurosym.tasks.transition import PlanStep
 from neurosym.world import Table, World
 
 _STREAM = 0x6D656574  # keeps the randomness of tries apart from any other
+SURELY = 0.5
+"""An object that is carried more rarely than that is tried to be carried as those of other categories are."""
 _NEAR = 0.1  # nothing is carried to a place that is nearer to where it stands [m]
 
 
@@ -73,13 +75,18 @@ def _next(item: SceneObject, grounding: Grounding, planned: Sequence[str]) -> Op
     """Choose what to try with an object that may have a past, as it promises; None if there is nothing.
 
     That is the first motion of a plan that was not tried; then what carries, and then the surest. The same
-    motion mostly does the same again, so that others tell more.
+    motion mostly does the same again, so that others tell more. Every second try is of what carries other
+    categories, if nothing carries this object surely.
     """
     past = past_of(item)
     known = promised(grounding, msgspec.structs.replace(item, past=past)).values()
     tried = {one.motion for one in past}
     promising = [one for one in known if one.promise]
     untried = {one.name: one for one in promising if motion_of(one) not in tried}
+    own = [one.chance for one in promising if one.frame == "place" and one.subject == item.category]
+    others = [one for one in untried.values() if one.frame == "place" and one.subject != item.category]
+    if others and len(past) % 2 and max(own, default=0.0) < SURELY:
+        return max(others, key=lambda one: (one.chance, one.name))
     if first := next((untried[name] for name in planned if name in untried), None):
         return first
     ranked = sorted(
