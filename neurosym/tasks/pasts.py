@@ -34,8 +34,9 @@ too high, too: of promises said to be kept in 10 to 25 %, 9 % were (`docs/planni
 """
 GIVEN_UP = 2
 """After how many failures in a row what did not come is not hoped for again."""
-SLIPPERY = 3
-"""An object that was missed so often, and never carried, is not tried to be carried by other operators."""
+SLIPPERY = 1.5
+"""An object that should have been carried so often by what was tried, and never was, is not tried to be
+carried by other operators."""
 EXPECTED, UNFAMILIAR = 2.0, 0.9
 """As how many motions of a kind an object counts beside those that were seen, expected to keep their promise,
 and which share of these does: it may be unlike all that were learned of.
@@ -157,8 +158,9 @@ def promised_after(
     if any(not one.run for one in past):  # it was met, and may be unlike what its features say
         usual |= _borrowed(known, own.values())
     evidence = _evidence(usual, seen, tolerance)
-    carried = [one.kind == "carried" for one in past if one.motion.startswith(_TO) and not one.forgotten]
-    is_slippery = len(carried) >= SLIPPERY and not any(carried)
+    carrying = [shown for motion, shown in evidence.items() if motion.startswith(_TO)]
+    missed = math.fsum(shown.expected for shown in carrying)
+    is_slippery = missed >= SLIPPERY and not any(shown.kept for shown in carrying)
     found = dict[str, Operator]()
     for name, operator in usual.items():
         promise, rows = operator.promise, seen.get(motion_of(operator), [])

@@ -55,8 +55,10 @@ def test_plans_and_runs_of_what_was_met_go_by_its_past_and_add_to_it(folder, cap
     for _ in range(2):  # what a run showed is known once, however often it is run
         assert neurosym("execute", folder, TASK, plan) == 0
         assert [one.get("run", "") for one in past(folder)["trials"]] == ["", f"{TASK}.fast-downward"]
-    missed = {**tried, "kind": "missed"}
-    (folder / "pasts" / "item-01.json").write_text(json.dumps({**past(folder), "trials": [missed] * 3}))
+    assert neurosym("meet", folder, TASK, "--forget") == 0
+    missed = [{**one, "kind": "missed"} for one in past(folder)["trials"]]
+    assert len({one["motion"] for one in missed}) == 3
+    (folder / "pasts" / "item-01.json").write_text(json.dumps({**past(folder), "trials": missed}))
     capsys.readouterr()
     neurosym("plan", folder, TASK)
     assert plan.read_text() != first if plan.exists() else True
