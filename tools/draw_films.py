@@ -28,7 +28,7 @@ from tools.benchmarks.options import ROOT
 
 IMAGES = ROOT / "docs/images"
 FILMS = {
-    "tabletop": ("tabletop", "task-17"),
+    "tabletop": ("tabletop", "task-18"),
     "tabletop-paper": ("tabletop-paper", "task-17"),
     "row": ("places", "row-4-12"),
     "boxes": ("towers", "boxes-6-12"),

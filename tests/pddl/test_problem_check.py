@@ -16,6 +16,7 @@ from neurosym.errors import InvalidValue, UnknownChoice
 from neurosym.pddl.problem_check import check_problem
 from neurosym.problems import Problem, SceneObject
 from neurosym.sim.config import TabletopConfig
+from neurosym.sim.shapes import UNSEEN
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.planning import load_problem
 from neurosym.worlds.task_drawing import draw_problem
@@ -120,7 +121,7 @@ def test_limits_are_read_without_making_the_world(tmp_path):
     file = tmp_path / "world.toml"
     file.write_text('world = "tabletop"\n[options]\nsize = [0.05, 0.1]\nshapes = { ring = 1.0, box = 0.0 }\n')
     sizes = ((0.05, 0.1), (0.05, 0.1), (0.02, 0.1))
-    assert read_limits(file) == ObjectLimits(("s_x", "s_y", "d", "t"), sizes, (2.0,), 8)
+    assert read_limits(file) == ObjectLimits(("s_x", "s_y", "d", "t"), sizes, (2.0,), 8, UNSEEN)
     file.write_text('world = "nowhere:make"\n')
     assert read_limits(file) is None
 

@@ -259,7 +259,7 @@ def test_cost_is_that_of_the_pair_and_more_where_a_third_object_spoils_it():
     put = put_named(PUT_IN, learned)
     assert put is not None
     problem = seen(sorting(), lying=0.3)
-    of_pair = put.with_pair(problem, "item-01", "item-04")
+    of_pair = put.with_pair(problem, learned, "item-01", "item-04")
     assert of_pair.chance == 0.3  # the nearest of `SHARES`
     assert dataclasses.replace(of_pair, case={"occupied"}).chance < of_pair.chance
     task = understand(problem, learned)
