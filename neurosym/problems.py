@@ -93,6 +93,7 @@ ROUNDED = 1e-9
 """What binary numbers make of a sum of decimal ones, at most: 0.14 + 0.04 is no more than 0.18 [m]."""
 
 
+_OFF_UNIT = 0.01  # how far from 1 the length of a quaternion may be
 THIS_RUN = "this run"
 """The run that a trial is of while that goes on."""
 
@@ -109,6 +110,11 @@ class Trial(Document, frozen=True, omit_defaults=True, cache_hash=True):
     forgotten: bool = False  #: Whether it counts only against hoping for what it shows to fail
     run: str = ""  #: The record of the run that it was seen in, or `THIS_RUN`; empty if it was tried
 
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not abs((length := math.hypot(*self.lay)) - 1) <= _OFF_UNIT:
+            raise InvalidValue(f"Trial.lay has the length {length:g}; valid: a quaternion of length 1.")
+
 
 class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """One object of a scene."""
@@ -121,7 +127,7 @@ class SceneObject(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
     #: What only the world knows of it, and nothing that plans does; see `Scene`
     unseen: tuple[float, ...] | msgspec.UnsetType = msgspec.UNSET
-    #: What it was seen to do while it lay as it does now
+    #: What it was seen to do, however it lay; never read from files of scenes
     past: tuple[Trial, ...] | msgspec.UnsetType = msgspec.UNSET
 
     def __post_init__(self) -> None:
@@ -259,8 +265,13 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
 
     def save(self, path: Path) -> None:
         """Write the problem to a file, NAME.scene.json by custom, without what its objects did before."""
+        write_json(as_path(path), self._without_pasts())
+
+    def _without_pasts(self) -> "Problem":
+        if all(item.past is msgspec.UNSET for item in self.objects):
+            return self
         objects = tuple(msgspec.structs.replace(item, past=msgspec.UNSET) for item in self.objects)
-        write_json(as_path(path), msgspec.structs.replace(self, objects=objects))
+        return msgspec.structs.replace(self, objects=objects)
 
     @classmethod
     def load(cls, path: Path, change: Callable[[dict[str, Any]], dict[str, Any]] | None = None) -> "Problem":
@@ -273,6 +284,7 @@ class Problem(msgspec.Struct, frozen=True, forbid_unknown_fields=True, omit_defa
         else:
             changed = change(read_json(as_path(path), dict[str, Any]))
             problem = decode_json(as_path(path), msgspec.json.encode(changed), cls)
+        problem = problem._without_pasts()
         touching, names = [pair_key(*pair) for pair in problem.touching or ()], problem.object_names
         known = {pair_key(*pair) for pair in permutations(names, 2)}
         for what, told in (("pairs", problem.pairs), ("foreseen", problem.foreseen), ("touching", touching)):

@@ -135,6 +135,7 @@ _BOUNDS = {
     "problems": (0, 10_000),
     "tasks": (1, 1_000_000),
     "replans": (0, 1_000_000),
+    "tries": (0, 64),  # so many outcomes of an object are kept
     "disturb": (0, LARGEST_WHOLE),
     "seed": (0, LARGEST_WHOLE),
     "places": (0, LARGEST_WHOLE),

@@ -26,8 +26,18 @@ from neurosym.commands.tasks import given_plan
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, check_extra, counted, quoted
 from neurosym.files import make_folder, write_atomically
 from neurosym.stages.console import print_raw, progress_bar, say, say_next, show_table
-from neurosym.stages.folder import Claim, DomainFolder, Stage
-from neurosym.stages.layout import DOMAIN, GROUNDING, PASTS, RECORD, RUNS, WORLD, plan_files, run_file
+from neurosym.stages.folder import Claim, DomainFolder, Stage, load_scene
+from neurosym.stages.layout import (
+    DOMAIN,
+    GROUNDING,
+    PASTS,
+    RECORD,
+    RUNS,
+    WORLD,
+    plan_files,
+    run_file,
+    scene_file,
+)
 
 if TYPE_CHECKING:
     from neurosym.execution.performance import Agreement
@@ -173,24 +183,24 @@ def meet(
     if is_of_values(domain):
         raise InvalidValue("With data of your own there are no objects to be met: --seed draws others.")
     with domain.claimed(Claim.SHARED):
-        grounding, world = Grounding.load(domain.require(GROUNDING)), read_world(domain.require(WORLD))()
-        problem = load_problem(domain, name, world)
-        names = (object,) if object else problem.object_names
-        items = [problem.object_named(one) for one in names]
-        if forget:
+        if forget:  # also what cannot be read
+            path = domain / scene_file(name)
+            every = load_scene(path).object_names if path.is_file() else ()
+            names = [one for one in every if object in (None, one)]
             forgotten = forget_pasts(domain, names)
             say(f"forgot what {', '.join(forgotten) or 'none of them'} did")
-        meetings = [Meeting(domain, problem, one, world, grounding) for one in names]
-        rows = [row for one in meetings for row in _tried(one, tries)] if tries else []
-        if rows:
+        grounding, world = Grounding.load(domain.require(GROUNDING)), read_world(domain.require(WORLD))()
+        problem = load_problem(domain, name, world)
+        names = [problem.object_named(object).name] if object else [*problem.object_names]
+        meetings = [Meeting(domain, problem, one, world, grounding) for one in names] if tries else []
+        if rows := [row for one in meetings for row in _tried(one, tries)]:
             show_table("tries", ["object", "motion", "what came", "as promised"], rows)
-        for line in met_in_words(domain, grounding):
-            if line.partition(" ")[0] in names:
-                say(line)
+        for line in met_in_words(domain, grounding, names):
+            say(line)
     if tries:
         say(f"wrote {folder / PASTS}")
         say_next(f"neurosym plan {quoted(folder)} {name}")
-    found = [past for item in items if (past := load_past(domain, item))]
+    found = [past for one in names if (past := load_past(domain, problem.object_named(one)))]
     answer({"pasts": list[Past](found)})
     return 0
 

@@ -23,6 +23,7 @@ from neurosym.operators import vector
 from neurosym.pair_operators import extent
 from neurosym.problems import Problem, RelationGoal
 from neurosym.tasks.lying import as_it_shows
+from neurosym.tasks.pasts import past_of
 from neurosym.tasks.promises import performed_with
 from neurosym.tasks.supports import Contacts, touching
 from neurosym.tasks.task import GOAL, PARK, is_reached, unmet_relations, with_places
@@ -203,6 +204,7 @@ class Agreement:
 
 
 _SAME = Agreement("same bytes", 0.0, "")
+_PROMISED = ("promised", "promised_effect", "deviation", "as_promised")  # what a record says of promises
 
 
 def rerun(
@@ -232,7 +234,10 @@ def rerun(
             break
         if watcher and watcher.before_step(Moment(number, here.scene, (recorded.step,))) == STOP:
             break
-        records.append(here.perform(recorded.step, recorded.put_down, recorded.reference)[0])
+        told = here.perform(recorded.step, recorded.put_down, recorded.reference)[0]
+        if past_of(problem.object_named(recorded.object)):  # more may be known of it than there was
+            told = msgspec.structs.replace(told, **{name: getattr(recorded, name) for name in _PROMISED})
+        records.append(told)
         if on_step:
             on_step(records[-1])
         if any(not apart <= ROUNDING for _, apart in _differences(recorded, records[-1])):

@@ -9,17 +9,19 @@ import numpy as np
 from neurosym.errors import InvalidValue
 from neurosym.execution.performance import perform
 from neurosym.grounding import Grounding
-from neurosym.operators import Operator
+from neurosym.operators import TOLERANCE, Operator
 from neurosym.planners.registry import plan
 from neurosym.problems import Problem, SceneObject, Trial
-from neurosym.tasks.pasts import GRASPED, keeps, motion_of, past_of, trial_of
+from neurosym.tasks.lying import as_it_shows
+from neurosym.tasks.pasts import GRASPED, motion_of, past_of, trial_of
 from neurosym.tasks.promises import promised
 from neurosym.tasks.transition import PlanStep
-from neurosym.world import Table, World
+from neurosym.world import Table, World, heading, turned_by
 
 _STREAM = 0x6D656574  # keeps the randomness of tries apart from any other
 SURELY = 0.5
 """An object that is carried more rarely than that is tried to be carried as those of other categories are."""
+_DRAWS = 100
 _NEAR = 0.1  # nothing is carried to a place that is nearer to where it stands [m]
 
 
@@ -55,7 +57,7 @@ def try_once(world: World, scene: Problem, grounding: Grounding) -> Tried | None
     Raises:
         InvalidValue: If the object is out of the arm's reach.
     """
-    (item,) = scene.objects
+    item = as_it_shows(scene.objects[0], grounding)
     steps = plan(scene, grounding).steps if scene.unmet else ()
     operator, aim = _next(item, grounding, [step.base for step in steps]), None
     if operator is None or (promise := operator.promise) is None:
@@ -68,7 +70,10 @@ def try_once(world: World, scene: Problem, grounding: Grounding) -> Tried | None
     if outcome is None:
         raise InvalidValue(f"{item.name} is out of the arm's reach; move it nearer to the table's middle.")
     trial = trial_of(outcome, operator, grounding.turned)
-    return Tried(operator.name, trial, keeps(promise, trial))
+    turn = heading(np.array(item.orientation)) if grounding.turned and operator.frame == "object" else 0.0
+    end = trial.effect if promise.kind == "held" else trial.resting_effect
+    miss = float(np.linalg.norm(turned_by(turn, np.array(end)) - promise.outcome))
+    return Tried(operator.name, trial, trial.kind == promise.kind and miss <= TOLERANCE)
 
 
 def _next(item: SceneObject, grounding: Grounding, planned: Sequence[str]) -> Operator | None:
@@ -96,14 +101,14 @@ def _next(item: SceneObject, grounding: Grounding, planned: Sequence[str]) -> Op
 
 
 def _place(item: SceneObject, table: Table) -> tuple[float, float]:
-    """Draw where to carry an object, away from where it stands, all of it on the table."""
+    """Draw where to carry an object, away from where it stands, and on the table as far as it has room."""
     rng = np.random.default_rng([_STREAM, len(past_of(item)), *item.name.encode()])
-    half = np.array(item.features[:2]) / 2
     low, high = np.array([table.x, table.y]).T
-    while True:
-        spot = rng.uniform(low + half, high - half)
-        if np.linalg.norm(spot - item.position[:2]) >= _NEAR:
-            return float(spot[0]), float(spot[1])
+    half = np.minimum(np.array(item.features[:2]) / 2, (high - low) / 2)
+    spots = rng.uniform(low + half, high - half, size=(_DRAWS, 2))
+    away = np.linalg.norm(spots - item.position[:2], axis=1)
+    x, y = spots[int(np.argmax(away >= _NEAR)) if away.max() >= _NEAR else int(away.argmax())].tolist()
+    return x, y
 
 
 def said_of(item: SceneObject, grounding: Grounding) -> str:

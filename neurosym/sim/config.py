@@ -138,6 +138,12 @@ class TabletopConfig:
                 raise UnknownChoice("shape", name, SHAPES)
             if not share >= 0:
                 raise InvalidValue(f"shapes.{name} = {share} must not be negative.")
+        (wide, high), balls = (self.size, self.height), self.shapes.get("ball", 0)
+        if balls and max(wide[0], high[0]) > min(wide[1], high[1]):
+            raise InvalidValue(
+                f"shapes.ball = {balls}, and size = {[*wide]} and height = {[*high]} have nothing in common; "
+                "a ball is as high as wide."
+            )
         if not sum(self.shapes.values()) > 0:
             raise InvalidValue(f"shapes must give one of {', '.join(SHAPES)} a share greater than 0.")
 

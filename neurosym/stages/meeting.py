@@ -1,6 +1,6 @@
 """Meeting the objects of a scene: what they do when they are tried is kept in their pasts."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 import msgspec
 import numpy as np
@@ -12,18 +12,26 @@ from neurosym.operators import symbols_of
 from neurosym.problems import Problem, SceneObject, check_on_table
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.past_files import Past
+from neurosym.stages.past_files import Past, load_past
 from neurosym.world import World
 
 
-def met_in_words(folder: DomainFolder, grounding: Grounding) -> Iterator[str]:
-    """Say of each object that was met, by name, what it looks like and how it is best handled."""
+def met_in_words(folder: DomainFolder, grounding: Grounding, names: Collection[str] = ()) -> Iterator[str]:
+    """Say of objects that were met, all if none are named, what they look like and how they are best handled.
+
+    Nothing is said of such that the domain does not know the like of.
+    """
     paths = sorted((folder / layout.PASTS).glob("*.json"))
-    pasts = [Past.load(path) for path in paths]
+    pasts = [Past.load(path) for path in paths if not names or path.stem in names]
+    known = {len(row) for category in grounding.objects.categories for row in category.objects}
+    pasts = [past for past in pasts if len(past.features) in known]
     if not pasts or not (folder / layout.MODEL).is_file():
         return
     symbols = symbols_of(folder.network().object_symbols, np.array([past.features for past in pasts]))
+    categories = {category.symbol for category in grounding.objects.categories}
     for past, symbol in zip(pasts, symbols, strict=True):
+        if symbol not in categories:
+            continue
         standing = (0.0, 0.0, past.features[2] / 2)
         item = SceneObject(past.name, symbol, past.features, standing, past=past.trials)
         yield f"{said_of(item, grounding)} (tried {counted(len(past.trials), 'time')})"
@@ -49,15 +57,15 @@ class Meeting:
         self._scene = alone(problem, name)
         (item,) = self._scene.objects
         check_on_table(item, grounding.table)
-        path = folder / layout.past_file(name)
-        self.past = Past.load(path) if path.is_file() else Past(name, item.features)
-        if not self.past.is_of(item):
-            sizes = ", ".join(f"{one:g}" for one in self.past.features)
+        path, past = folder / layout.past_file(name), load_past(folder, item)
+        if past is None and path.is_file():
+            sizes = ", ".join(f"{one:g}" for one in Past.load(path).features)
             raise InvalidFile(
                 path,
                 f"it is the past of another object, whose features are {sizes}; give {name} another name, or "
                 "forget that one with --forget",
             )
+        self.past = past or Past(name, item.features)
 
     @property
     def tries(self) -> int:
@@ -74,5 +82,5 @@ class Meeting:
         known = (msgspec.structs.replace(item, past=self.past.trials),)
         scene = msgspec.structs.replace(self._scene, objects=known)
         if found := try_once(self._world, scene, self._grounding):
-            self.past = self.past.grown(self._folder, (*self.past.trials, found.trial))
+            self.past = self.past.grown(self._folder, [found.trial])
         return found

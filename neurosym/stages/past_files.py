@@ -8,14 +8,15 @@ from collections.abc import Mapping, Sequence
 import msgspec
 import numpy as np
 
-from neurosym.files import make_folder, remove, write_json
+from neurosym.errors import InvalidFile
+from neurosym.files import locked, make_folder, remove, write_json
 from neurosym.operators import LegalName, Length, Versioned
 from neurosym.problems import Problem, SceneObject, Trial
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
 
 MOST_TRIALS = 64
-"""So many outcomes of an object are kept, the last ones."""
+"""So many outcomes of an object are kept."""
 _FORMAT = "neurosym-past-1"
 _SAME = 1e-6  # sizes of one object differ by less [m]
 
@@ -29,11 +30,21 @@ class Past(Versioned, frozen=True):
     format: str = _FORMAT
     readable = (_FORMAT,)
 
-    def grown(self, folder: DomainFolder, trials: Sequence[Trial]) -> "Past":
-        """Return it with other trials, of which only the last are kept, and write that."""
+    def grown(self, folder: DomainFolder, trials: Sequence[Trial], run: str = "") -> "Past":
+        """Return it as it is on disk by now, with more trials, and write that.
+
+        Those of a run take the place of what was known of an earlier one so called. Only the last are kept;
+        what was seen in runs goes before what was tried.
+        """
         make_folder(folder / layout.PASTS)
-        kept = msgspec.structs.replace(self, trials=tuple(trials)[-MOST_TRIALS:])
-        write_json(folder / layout.past_file(self.name), kept)
+        path = folder / layout.past_file(self.name)
+        with locked(folder / layout.PASTS):
+            known = Past.load(path).trials if path.is_file() else ()
+            every = [*(one for one in known if not run or one.run != run), *trials]
+            for one in [*(one for one in every if one.run), *every][: max(0, len(every) - MOST_TRIALS)]:
+                every.remove(one)
+            kept = msgspec.structs.replace(self, trials=tuple(every))
+            write_json(path, kept)
         return kept
 
     def is_of(self, item: SceneObject) -> bool:
@@ -47,6 +58,8 @@ def load_past(folder: DomainFolder, item: SceneObject) -> Past | None:
     """Read what an object was seen to do; None if it was never met, or another one of that name was."""
     path = folder / layout.past_file(item.name)
     past = Past.load(path) if path.is_file() else None
+    if past and past.name != item.name:
+        raise InvalidFile(path, f"it is the past of {past.name}; valid: {item.name}, as the file is called")
     return past if past and past.is_of(item) else None
 
 
@@ -67,9 +80,7 @@ def remember(folder: DomainFolder, problem: Problem, run: str, seen: Mapping[str
     """
     for name, trials in seen.items():
         if past := load_past(folder, problem.object_named(name)):
-            others = (one for one in past.trials if one.run != run)
-            new = (msgspec.structs.replace(one, run=run) for one in trials)
-            past.grown(folder, (*others, *new))
+            past.grown(folder, [msgspec.structs.replace(one, run=run) for one in trials], run)
 
 
 def forget_pasts(folder: DomainFolder, names: Sequence[str]) -> list[str]:

@@ -164,7 +164,9 @@ def plan_stage(
     if made_by and (folder / plan_file).exists():
         _refuse_namesake(folder, stage, made_by, plan_file)
     printed_again = tuple(printed_file(name, each) for each in ENCODINGS)
-    pasts = (f"{PASTS}/{path.name}" for path in sorted((folder / PASTS).glob("*.json")))
+    scene = folder / scene_file(name)
+    met = [f"{PASTS}/{one}.json" for one in load_scene(scene).object_names] if scene.is_file() else []
+    pasts = [file for file in met if (folder / file).is_file()]
     read = (MODEL,) if chosen.reads == "network" else ()
     inputs = (scene_file(name), GROUNDING, *read, *pasts)
 

@@ -44,7 +44,7 @@ def promised(grounding: Grounding, item: SceneObject, tolerance: float = TOLERAN
     tolerance of the promise has kept it [m]. Where motions are turned as objects lie, so are promises.
     """
     turn = heading(np.array(item.orientation)) if grounding.turned else 0.0
-    past = None if item.past is msgspec.UNSET else as_it_lies(item, grounding.turned)
+    past = as_it_lies(item, grounding.turned)
     return _promised(grounding, item.category, item.features, tolerance, turn, past)
 
 
@@ -149,13 +149,13 @@ def _promised(
     features: tuple[float, ...],
     tolerance: float,
     turn: float,
-    past: tuple[Trial, ...] | None,
+    past: tuple[Trial, ...],
 ) -> Mapping[str, Operator]:
     learned = grounding.category(category)
     own, is_known = grounding.operators_on(category), is_rehearsed(learned, features)
     promises = (refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own)
     found = {one.name: one for one in promises}
-    if past is not None:
+    if past:
         found = promised_after(found, grounding.operators, past, tolerance)
     return MappingProxyType({name: _turned(one, turn) for name, one in found.items()})
 

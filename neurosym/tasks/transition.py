@@ -241,15 +241,17 @@ def promise_of(step: PlanStep, problem: Problem, grounding: Grounding) -> Operat
 
 def hand_problem(steps: Sequence[PlanStep], problem: Problem, grounding: Grounding) -> str:
     """Say which step of a plan asks the hand for what it cannot do, or nothing if none does."""
-    held, number = None, 0
+    held, is_sure, number = None, True, 0
     for step in steps:
         number = max(1, number + (not step.puts_down))
-        operator = operator_for(step, problem, grounding)
+        learned, operator = grounding.operator_named(step.base), operator_for(step, problem, grounding)
         if operator.frame == "pair":
             continue
-        if operator.promise and (said := _hand_refusal(step, held, operator)):
+        holds = held if is_sure or step.puts_down else None
+        if operator.promise and (said := _hand_refusal(step, holds, operator)):
             return f"step {number}, {step.operator} {step.object}: {said}"
-        held = step if is_lift(operator) and not step.puts_down else None
+        lifts = [is_lift(one) for one in (learned, operator)]  # with this object it may be no lift any more
+        held, is_sure = step if any(lifts) and not step.puts_down else None, all(lifts)
     return ""
 
 

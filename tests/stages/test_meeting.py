@@ -4,8 +4,15 @@ import json
 import shutil
 from pathlib import Path
 
+import msgspec
 import pytest
 from command_line import contents, neurosym, refusal
+
+from neurosym.grounding import Grounding, is_lift
+from neurosym.problems import Trial
+from neurosym.stages.folder import DomainFolder, load_scene
+from neurosym.stages.past_files import load_past
+from neurosym.tasks.transition import PlanStep, hand_problem
 
 ROOT = Path(__file__).parents[2]
 TASK = "anywhere-1-01"
@@ -55,6 +62,7 @@ def test_plans_and_runs_of_what_was_met_go_by_its_past_and_add_to_it(folder, cap
     for _ in range(2):  # what a run showed is known once, however often it is run
         assert neurosym("execute", folder, TASK, plan) == 0
         assert [one.get("run", "") for one in past(folder)["trials"]] == ["", f"{TASK}.fast-downward"]
+        assert neurosym("replay", folder, f"{TASK}.fast-downward") == 0  # though more is known now
     assert neurosym("meet", folder, TASK, "--forget") == 0
     missed = [{**one, "kind": "missed"} for one in past(folder)["trials"]]
     assert len({one["motion"] for one in missed}) == 3
@@ -75,6 +83,40 @@ def test_a_past_of_another_object_is_refused_by_who_meets_and_left_aside_by_plan
     assert "it is the past of another object" in found
     assert "--forget" in found
     assert neurosym("plan", folder, TASK) == 0
+
+
+def test_what_was_tried_is_kept_longer_than_what_was_seen_in_runs(folder):
+    assert neurosym("meet", folder, TASK, "--tries", 1) == 0
+    item = load_scene(folder / "problems" / f"{TASK}.scene.json").objects[0]
+    domain = DomainFolder(folder)
+    known = load_past(domain, item)
+    grown = known.grown(domain, [msgspec.structs.replace(known.trials[0], run="one")] * 70, "one")
+    assert len(grown.trials) == 64
+    assert grown.trials[0] == known.trials[0]
+    assert known.grown(domain, [], "one").trials == known.trials
+
+
+def test_a_past_under_another_name_can_be_forgotten_though_it_cannot_be_read(folder, capsys):
+    assert neurosym("meet", folder, TASK, "--tries", 1) == 0
+    (folder / "pasts" / "item-01.json").write_text(json.dumps({**past(folder), "name": "item-02"}))
+    assert "it is the past of item-02" in refusal(capsys, "meet", folder, TASK)
+    assert neurosym("meet", folder, TASK, "--forget", "--tries", 0) == 0
+    assert "tries" in refusal(capsys, "meet", folder, TASK, "--tries", 65)
+
+
+def test_a_lift_that_failed_twice_is_still_put_down_in_a_plan(folder):
+    learned = Grounding.load(folder / "grounding.json")
+    task = load_scene(folder / "problems" / f"{TASK}.scene.json")
+    (item,) = task.objects
+    lift = next(one for one in learned.operators_on(item.category) if is_lift(one))
+    failed = Trial(lift.label, "resting", (0.0,) * 3, (0.0,) * 3, (0.0, 0.0, 0.0, 1.0))
+    after = msgspec.structs.replace(task, objects=(msgspec.structs.replace(item, past=(failed,) * 2),))
+    down, other = PlanStep(f"put-down-{lift.name}", item.name), PlanStep(lift.name, item.name)
+    for problem in (task, after):
+        assert hand_problem([other, down], problem, learned) == ""
+        assert "is not held" in hand_problem([down], problem, learned)
+    assert "still holds" in hand_problem([other, other], task, learned)
+    assert hand_problem([other, other], after, learned) == ""
 
 
 @pytest.mark.parametrize(
