@@ -100,14 +100,16 @@ def print_beside(
     if not plan and is_relational(problem, grounding):
         return
     encoding = plan.encoding if plan else encoding
-    path = folder / layout.printed_file(problem.name, encoding)
+    file = layout.printed_file(problem.name, encoding)
+    path = folder / file
     if path.is_file() and not (plan and plan.missing(read_text(path))):
         return
     problem = _placed(problem, grounding)
     recorded = recorded_plans(folder, problem, grounding)
     others = recorded_plans(folder, problem, grounding, besides=planner)
     print_with = partial(_text, problem, grounding, encoding)
-    if path.is_file() and read_text(path) not in (print_with(()), print_with(recorded)):
+    is_ours = not path.is_file() or folder.is_as_made(file)  # by what was known of its objects then
+    if not is_ours and read_text(path) not in (print_with(()), print_with(recorded)):
         folder.notify(f"{path} is not as it was printed, so it stays; the plan may be none of it")
     else:
         write_atomically(path, print_with((plan, *others) if plan else others))

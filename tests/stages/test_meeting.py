@@ -69,6 +69,8 @@ def test_plans_and_runs_of_what_was_met_go_by_its_past_and_add_to_it(folder, cap
     (folder / "pasts" / "item-01.json").write_text(json.dumps({**past(folder), "trials": missed}))
     capsys.readouterr()
     neurosym("plan", folder, TASK)
+    assert "is not as it was printed" not in capsys.readouterr().out
+    neurosym("plan", folder, TASK)
     assert plan.read_text() != first if plan.exists() else True
     assert "carry-to" not in capsys.readouterr().out
 
