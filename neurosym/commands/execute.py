@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import Positional, arg
 
-from neurosym.checks import check_count
 from neurosym.choices import copy_shipped
 from neurosym.commands.arguments import (
     Folder,
@@ -152,7 +151,7 @@ def _perform_values(domain: DomainFolder, stage: Stage, answer: Callable[..., No
 def meet(
     folder: Folder,
     scene: Annotated[
-        Positional[str], arg(metavar="SCENE", help="A problem in DIR/problems whose objects are met.")
+        Positional[str], arg(metavar="PROBLEM", help="A problem in DIR/problems whose objects are met.")
     ],
     tries: Annotated[
         int, arg(help="How many tries of each object there are in all; more go on from these.")
@@ -167,8 +166,9 @@ def meet(
 ) -> int:
     """Try things with the objects of a scene, and keep what each did by its name.
 
-    Each try begins as the scene says, without the other objects, and is the one that tells most. Plans count
-    what an object did from then on, and runs with it add to that. `--forget --tries 0` only forgets.
+    Each try begins as the scene says, without the other objects, with what a plan for the object would do
+    first and was not tried. Plans count what an object did from then on, and runs with it add to that.
+    `--forget --tries 0` only forgets.
     """
     from neurosym.grounding import Grounding
     from neurosym.stages.meeting import Meeting, met_in_words
@@ -178,7 +178,6 @@ def meet(
     from neurosym.worlds.world_file import read_world
 
     answer, domain = answer_in(json), opened(folder)
-    check_count("tries", tries, least=0)
     name = domain.problem(scene)
     if is_of_values(domain):
         raise InvalidValue("With data of your own there are no objects to be met: --seed draws others.")

@@ -9,14 +9,14 @@ import numpy as np
 from neurosym.errors import InvalidValue
 from neurosym.execution.performance import perform
 from neurosym.grounding import Grounding
-from neurosym.operators import TOLERANCE, Operator
+from neurosym.operators import Operator
 from neurosym.planners.registry import plan
 from neurosym.problems import Problem, SceneObject, Trial
 from neurosym.tasks.lying import as_it_shows
-from neurosym.tasks.pasts import GRASPED, motion_of, past_of, trial_of
+from neurosym.tasks.pasts import GRASPED, keeps, motion_of, past_of, trial_of
 from neurosym.tasks.promises import promised
 from neurosym.tasks.transition import PlanStep
-from neurosym.world import Table, World, heading, turned_by
+from neurosym.world import Table, World
 
 _STREAM = 0x6D656574  # keeps the randomness of tries apart from any other
 SURELY = 0.5
@@ -69,11 +69,8 @@ def try_once(world: World, scene: Problem, grounding: Grounding) -> Tried | None
     outcome = perform(world, scene, grounding, step, scene.scene(), put_down=True, reference=aim)
     if outcome is None:
         raise InvalidValue(f"{item.name} is out of the arm's reach; move it nearer to the table's middle.")
-    trial = trial_of(outcome, operator, grounding.turned)
-    turn = heading(np.array(item.orientation)) if grounding.turned and operator.frame == "object" else 0.0
-    end = trial.effect if promise.kind == "held" else trial.resting_effect
-    miss = float(np.linalg.norm(turned_by(turn, np.array(end)) - promise.outcome))
-    return Tried(operator.name, trial, trial.kind == promise.kind and miss <= TOLERANCE)
+    kept = keeps(promise, trial_of(outcome, operator, turned=False))  # both as seen from the world
+    return Tried(operator.name, trial_of(outcome, operator, grounding.turned), kept)
 
 
 def _next(item: SceneObject, grounding: Grounding, planned: Sequence[str]) -> Operator | None:

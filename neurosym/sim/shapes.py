@@ -54,9 +54,8 @@ Box = tuple[tuple[float, float, float], tuple[float, float, float], float]
 class Body:
     """What the simulator makes of an object."""
 
-    boxes: tuple[
-        Box, ...
-    ]  # what it is built from, its frame at the middle; what is around it if it is a ball
+    # what it is built from, its frame at the middle; what is around it if it is a ball
+    boxes: tuple[Box, ...]
     mass: float  # [kg]
     friction: float  # lateral
     centre_of_mass: tuple[float, float, float] = (0.0, 0.0, 0.0)  # in its frame [m]

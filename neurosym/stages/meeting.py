@@ -73,7 +73,7 @@ class Meeting:
         return sum(not one.run for one in self.past.trials)
 
     def try_next(self) -> Tried | None:
-        """Try what tells most, and keep what came of it; None if nothing can be tried.
+        """Try the next motion, see `try_once`, and keep what came of it; None if nothing can be tried.
 
         Raises:
             InvalidValue: If the object is out of the arm's reach.

@@ -100,14 +100,10 @@ def with_pasts(problem: Problem, pasts: Mapping[str, Sequence[Trial]]) -> Proble
 
 def forgetting(problem: Problem) -> Problem:
     """Return a problem in which what its objects did counts only against hoping for what it shows to fail."""
-    forgotten = {
-        item.name: tuple(msgspec.structs.replace(one, forgotten=True) for one in past_of(item))
-        for item in problem.objects
-    }
-    objects = (
-        msgspec.structs.replace(item, past=forgotten[item.name]) if forgotten[item.name] else item
-        for item in problem.objects
-    )
+    objects = []
+    for item in problem.objects:
+        past = tuple(msgspec.structs.replace(one, forgotten=True) for one in past_of(item))
+        objects.append(msgspec.structs.replace(item, past=past) if past else item)
     return msgspec.structs.replace(problem, objects=tuple(objects))
 
 
