@@ -6,14 +6,14 @@ from dataclasses import dataclass
 import msgspec
 import numpy as np
 
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, counted
 from neurosym.execution.performance import perform
 from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.planners.registry import plan
 from neurosym.problems import Problem, SceneObject, Trial
 from neurosym.tasks.lying import as_it_shows
-from neurosym.tasks.pasts import GRASPED, keeps, motion_of, past_of, trial_of
+from neurosym.tasks.pasts import GRASPED, as_it_lies, keeps, motion_of, past_of, trial_of
 from neurosym.tasks.promises import promised
 from neurosym.tasks.transition import PlanStep
 from neurosym.world import Table, World
@@ -22,6 +22,7 @@ _STREAM = 0x6D656574  # keeps the randomness of tries apart from any other
 SURELY = 0.5
 """An object that is carried more rarely than that is tried to be carried as those of other categories are."""
 _DRAWS = 100
+_STRAIGHT = (0.0, 0.0, 0.0, 1.0)  # how objects lie that are learned of
 _NEAR = 0.1  # nothing is carried to a place that is nearer to where it stands [m]
 
 
@@ -109,12 +110,17 @@ def _place(item: SceneObject, table: Table) -> tuple[float, float]:
 
 
 def said_of(item: SceneObject, grounding: Grounding) -> str:
-    """Say in a sentence what an object of some past looks like, and how it is best handled."""
+    """Say what an object of some past looks like, whether it does as it looks, and how it is best handled."""
     known = promised(grounding, msgspec.structs.replace(item, past=past_of(item)))
+    plain = msgspec.structs.replace(item, past=msgspec.UNSET, orientation=_STRAIGHT)
+    promises = {motion_of(one): one.promise for one in promised(grounding, plain).values() if one.promise}
+    shown = [one for one in as_it_lies(item, grounding.turned) if one.motion in promises and not one.crowded]
+    kept = sum(keeps(promises[one.motion], one) for one in shown)
+    does = f", and did as such objects do {kept} of {counted(len(shown), 'time')}" if shown else ""
+    said = f"{item.name} looks like {grounding.category(item.category).name}{does}"
     grasping = [one for one in known.values() if one.promise and one.promise.kind in GRASPED]
-    said = f"{item.name} looks like {grounding.category(item.category).name}"
     if not grasping:
         return f"{said}; nothing grasps such objects"
     surest = max(grasping, key=lambda one: (one.chance, one.name))
     handled = "so" if surest.subject == item.category else f"like {grounding.category(surest.subject).name}"
-    return f"{said}, and is best grasped {handled}: {surest.name}, {surest.chance:.0%} likely"
+    return f"{said}; it is best grasped {handled}: {surest.name}, {surest.chance:.0%} likely"

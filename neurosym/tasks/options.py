@@ -5,7 +5,7 @@ otherwise in rehearsals, that is forbidden. Else it is allowed, and costs what i
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
@@ -14,9 +14,9 @@ import msgspec
 
 from neurosym.grounding import Cells, Grounding, is_lift
 from neurosym.operators import ANY_KIND, TOLERANCE, Mode, Operator, Symbol
-from neurosym.pair_operators import FAINT, Case, PairState
+from neurosym.pair_operators import FAINT, LEAST, Case, PairState
 from neurosym.problems import Problem, SceneObject, pair_key
-from neurosym.tasks.pasts import LEAST_CHANCE
+from neurosym.tasks.pasts import LEAST_CHANCE, as_it_lies, keeps, motion_of
 from neurosym.tasks.promises import carrying_with, promised, usable
 
 # What is done to an object by itself: every live operator as a displacement, and what it costs
@@ -103,6 +103,7 @@ class Put:
     foreseen: float | None = None
     case: Case = frozenset()  # in which company it is done
     handled: float = 1.0  # by what factor its chance is another one, by what the target was seen to do
+    shown: bool = False  # whether the target was seen to be carried with its motion, as others are
 
     @property
     def name(self) -> str:
@@ -116,11 +117,10 @@ class Put:
 
     def with_pair(self, problem: Problem, grounding: Grounding, target: str, reference: str) -> "Put":
         """Return it as it is foreseen to turn out with a pair of objects, by name, if the problem says so."""
-        handled = _handled(grounding, self.operator, problem.object_named(target))
+        item, known = problem.object_named(target), _carrying(grounding, self.operator)
+        put = replace(self, handled=_handled(grounding, known, item), shown=_shown(grounding, known, item))
         share = problem.foreseen.get(pair_key(target, reference), {}).get(self.name)
-        if share is None:
-            return replace(self, handled=handled)
-        return replace(self, handled=handled, foreseen=min(SHARES, key=lambda one: abs(one - share)))
+        return put if share is None else replace(put, foreseen=min(SHARES, key=lambda one: abs(one - share)))
 
     @property
     def chance(self) -> float:
@@ -147,8 +147,9 @@ def puts_for(
     """List what the domain can do with a pair of objects, as it is foreseen to turn out with them.
 
     Of operators for the same it is the surest with this pair. One for pairs of any kind must be foreseen, and
-    more surely than what those for the kind of the pair promise. What a goal asks for is offered even if it
-    is only faintly foreseen, where there is nothing likelier.
+    more surely than what those for the kind of the pair promise. Where something for the same is foreseen, it
+    is enough that the target was seen to be carried with its motion. What a goal asks for is offered even if
+    it is only faintly foreseen, where there is nothing likelier.
     The kind of the pair is what the problem says, if it is not given.
     """
     key = pair_key(target, reference)
@@ -161,15 +162,20 @@ def puts_for(
     ]
     ranked = sorted(fitting, key=lambda put: put.chance)
     own = {put.state.name: put.chance for put in ranked if put.operator.subject}
+    shares = problem.foreseen.get(key, {})
+    fits = {put.state.name for put in fitting if shares.get(put.name, 0.0) >= LEAST}
     at_hand = [
         put
         for put in fitting
-        if put.operator.subject or (put.foreseen is not None and put.chance > own.get(put.state.name, 0.0))
+        if put.operator.subject
+        or (
+            (put.foreseen is not None or (put.shown and put.state.name in fits))
+            and put.chance > own.get(put.state.name, 0.0)
+        )
     ]
     likely = [put for put in at_hand if put.share >= LEAST_CHANCE]
     known = {put.state.symbol for put in likely}
     asked = {state for one, other, state in problem.relations if (one, other) == (target, reference)}
-    shares = problem.foreseen.get(key, {})
     likely += [  # what is asked for, and only faintly foreseen
         put
         for put in at_hand
@@ -188,15 +194,22 @@ def _is_carried_with(grounding: Grounding, operator: Operator, item: SceneObject
     return not known or any(one.name in promised(grounding, item) for one in known)
 
 
-def _handled(grounding: Grounding, operator: Operator, item: SceneObject) -> float:
-    """Return by what factor an operator on pairs does what it does with a target, by what that did before."""
+def _shown(grounding: Grounding, carrying: Sequence[Operator], item: SceneObject) -> bool:
+    """Say whether an object was seen to be carried as those of another category are, by what carries so."""
+    borrowed = {motion_of(one): one.promise for one in carrying if one.subject != item.category}
+    seen = ((one, borrowed.get(one.motion)) for one in as_it_lies(item, grounding.turned))
+    return any(promise and not one.forgotten and keeps(promise, one) for one, promise in seen)
+
+
+def _handled(grounding: Grounding, carrying: Sequence[Operator], item: SceneObject) -> float:
+    """Return by what factor what carries so puts a target on others, by what that did before."""
     if item.past is msgspec.UNSET:
         return 1.0
     now, before = (
         promised(grounding, item),
         promised(grounding, msgspec.structs.replace(item, past=msgspec.UNSET)),
     )
-    known = (one for one in _carrying(grounding, operator) if one.name in now)
+    known = (one for one in carrying if one.name in now)
     return max((now[one.name].chance / before.get(one.name, one).chance for one in known), default=1.0)
 
 

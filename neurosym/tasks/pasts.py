@@ -54,8 +54,14 @@ tried are grasped as their features say: to borrow for these took a fifth more m
 """
 GRASPED = ("held", "carried")
 """How what is grasped ends; one motion that grasps tells of others, and one that pushes of others."""
-REPEATS = 0.014
-"""By how much the same primitive on the same object differs from time to time, RMS of an axis [m]."""
+REPEATS = 0.005
+"""By how much the same primitive on the same object differs from one time to the next, of an axis [m]."""
+FADES = 0.3
+"""How much an outcome counts beside the one after it: an object that is turned a little does otherwise.
+
+Chosen with `REPEATS` on 395 pushes that came after the same one, in runs of 36 objects on seeds of their own:
+the next one is foreseen within 2.3 mm in the median, and within 4.8 by an even mean with 14 mm for `REPEATS`.
+"""
 _AS_IT_LAY = math.radians(15)  # an object that is turned by less lies as it did [rad]
 _SUREST = 0.005  # no promise is surer than this [m]
 _TO = "to-"
@@ -165,7 +171,7 @@ def promised_after(
         elif operator.frame == "place" and is_slippery:
             found[name] = _promising(operator, promise, 0.0)
         elif is_given_up(operator, rows, tolerance):
-            found[name] = _promising(operator, *_instead(promise, rows))
+            found[name] = _promising(operator, *_instead(promise, rows, tolerance))
         elif (outcomes := [one for one in rows if not one.forgotten]) or evidence:
             mode, kept = _weighed_mode(promise, outcomes, tolerance)
             prior = min(1.0, _share(operator) * _reliability(operator, evidence))
@@ -252,42 +258,65 @@ def keeps(promise: Mode, trial: Trial, near: float = TOLERANCE) -> bool:
 
 
 def _weighed_mode(promise: Mode, outcomes: Sequence[Trial], tolerance: float) -> tuple[Mode, list[bool]]:
-    """Weigh a promise against what was seen, and say which outcomes came as is promised then."""
-    mode, near = promise, max(tolerance, TOLERANCE)
-    if same := [outcome for outcome in outcomes if outcome.kind == promise.kind]:
-        effect, spread = _weighed(mode.effect, mode.spread, np.array([one.effect for one in same]))
-        seen = np.array([one.resting_effect for one in same])
-        resting, resting_spread = _weighed(mode.resting_effect, mode.resting_spread, seen)
-        mode = msgspec.structs.replace(
-            mode, effect=effect, spread=spread, resting_effect=resting, resting_spread=resting_spread
-        )
-    return mode, [keeps(mode, one, near) for one in outcomes]
+    """Weigh a promise against what was seen, and say which outcomes came as was promised before them."""
+    near, mode, kept = max(tolerance, TOLERANCE), promise, list[bool]()
+    for number, outcome in enumerate(outcomes, 1):
+        kept.append(keeps(mode, outcome, near))
+        mode = _after(promise, [one for one in outcomes[:number] if one.kind == promise.kind])
+    return mode, kept
 
 
-def _weighed(mean: tuple[float, ...], spread: tuple[float, ...], seen: np.ndarray) -> tuple[Vector, Vector]:
-    """Weigh a mean against what was seen; it was less sure than it said if what was seen is far from it."""
-    away = np.abs(seen.mean(0) - mean)
-    before = 1 / np.maximum(np.maximum(np.array(spread), away), _SUREST) ** 2
-    now = len(seen) / REPEATS**2
-    value = (before * np.array(mean) + now * seen.mean(0)) / (before + now)
-    return vector(value), vector(np.sqrt(1 / (before + now)))
+def _after(promise: Mode, outcomes: Sequence[Trial]) -> Mode:
+    """Weigh a promise against outcomes of its kind."""
+    if not outcomes:
+        return promise
+    effect, spread = _weighed(promise.effect, promise.spread, [one.effect for one in outcomes])
+    ends = [one.resting_effect for one in outcomes]
+    resting, resting_spread = _weighed(promise.resting_effect, promise.resting_spread, ends)
+    return msgspec.structs.replace(
+        promise, effect=effect, spread=spread, resting_effect=resting, resting_spread=resting_spread
+    )
 
 
-def _instead(promise: Mode, outcomes: Sequence[Trial]) -> tuple[Mode, float]:
+def _weighed(
+    mean: tuple[float, ...], spread: tuple[float, ...], seen: Sequence[Vector]
+) -> tuple[Vector, Vector]:
+    """Weigh a mean against what was seen; it was less sure than it said if what was seen is far from it.
+
+    What is seen to scatter is as unsure as that.
+    """
+    came, scatter, weight = _faded(seen)
+    before = 1 / np.maximum(np.maximum(np.array(spread), np.abs(came - mean)), _SUREST) ** 2
+    now = weight / (REPEATS**2 + scatter)
+    value = (before * np.array(mean) + now * came) / (before + now)
+    return vector(value), vector(np.sqrt(1 / (before + now) + scatter))
+
+
+def _faded(seen: Sequence[Vector]) -> tuple[np.ndarray, np.ndarray, float]:
+    """Return mean and variance of what was seen, the last of it weighed most, and the sum of weights."""
+    weights = FADES ** np.arange(len(seen))[::-1]
+    came = np.average(seen, axis=0, weights=weights)
+    return came, np.average((np.array(seen) - came) ** 2, axis=0, weights=weights), float(weights.sum())
+
+
+def _instead(promise: Mode, outcomes: Sequence[Trial], tolerance: float) -> tuple[Mode, float]:
     """Return what came in the place of what did not, and how often, if it can be planned with."""
     kind = outcomes[-1].kind
     if kind not in ("resting", "held"):
         return promise, 0.0
     like = [one for one in outcomes if one.kind == kind]
+    (effect, scatter, _), (resting, resting_scatter, _) = (
+        _faded(rows) for rows in ([one.effect for one in like], [one.resting_effect for one in like])
+    )
     seen = msgspec.structs.replace(
         promise,
         kind=kind,
-        effect=vector(np.mean([one.effect for one in like], axis=0)),
-        spread=(REPEATS,) * 3,
-        resting_effect=vector(np.mean([one.resting_effect for one in like], axis=0)),
-        resting_spread=(REPEATS,) * 3,
+        effect=vector(effect),
+        spread=vector(np.sqrt(REPEATS**2 + scatter)),
+        resting_effect=vector(resting),
+        resting_spread=vector(np.sqrt(REPEATS**2 + resting_scatter)),
     )
-    return seen, len(like) / (len(outcomes) + 1)
+    return seen, sum(keeps(seen, one, max(tolerance, TOLERANCE)) for one in like) / (len(outcomes) + 1)
 
 
 def _promising(operator: Operator, mode: Mode, share: float) -> Operator:

@@ -23,11 +23,12 @@ from neurosym.tasks.pasts import LEAST_CHANCE, as_it_lies, promised_after
 from neurosym.world import heading, turned_by
 
 _LEAST_REHEARSALS = 8  # with fewer that ended as promised, nothing is refined
-OUTSIDE = 0.75
-"""How much rarer a promise is kept with objects that are larger or smaller than all that were rehearsed.
+OUTSIDE = 0.9
+"""How much rarer a promise is kept for each feature of an object that no rehearsed one has so great or small.
 
-Chosen on 60 objects with every size in the lowest or highest tenth of what the world draws: inside of what
-was rehearsed, 89 % were said of 253 motions and 88 % came; outside, 92 % of 107 and 72 %.
+Chosen on 810 motions with 150 objects of which one, two or three sizes were at an edge of what the world may
+draw, and 900 with objects of its own with one there. Brier scores are .146 and .070, and .156 and .068
+without it.
 """
 LAST_WAYPOINT = 4
 """So many numbers of an action are its last waypoint, which is relative to what it is aimed at."""
@@ -138,9 +139,9 @@ def is_rehearsed(category: Category, features: Sequence[float]) -> bool:
     return len(features) == len(low) and bool(np.all((low <= features) & (features <= high)))
 
 
-def _is_inside(objects: Float[np.ndarray, "N F"], features: tuple[float, ...]) -> bool:
-    """Say whether each feature lies between the least and the greatest of those that were rehearsed."""
-    return bool(np.all((objects.min(0) <= features) & (features <= objects.max(0))))
+def _outside(objects: Float[np.ndarray, "N F"], features: tuple[float, ...]) -> int:
+    """Count the features that are less, or greater, than those of all objects that were rehearsed."""
+    return int(np.sum((features < objects.min(0)) | (objects.max(0) < features)))
 
 
 @lru_cache(maxsize=256)
@@ -154,7 +155,10 @@ def _promised(
 ) -> Mapping[str, Operator]:
     learned = grounding.category(category)
     own, is_known = grounding.operators_on(category), is_rehearsed(learned, features)
-    promises = (refined(one, learned, features, tolerance) if is_known else _plain(one) for one in own)
+    promises = (
+        refined(one, learned, features, tolerance) if is_known else _rarer(one, learned, features)
+        for one in own
+    )
     found = {one.name: one for one in promises}
     if past:
         found = promised_after(found, grounding.operators, past, tolerance)
@@ -173,6 +177,17 @@ def _turned(operator: Operator, angle: float) -> Operator:
     return msgspec.structs.replace(operator, outcomes=tuple(map(led, operator.outcomes)))
 
 
+def _rarer(operator: Operator, category: Category, features: tuple[float, ...]) -> Operator:
+    """Return an operator as it promises for its category, and more rarely keeps with what is unlike all."""
+    promise, plain = operator.promise, _plain(operator)
+    if promise is None:
+        return plain
+    outside = _outside(np.array(rehearsed_objects(operator, category)), features)
+    mode = msgspec.structs.replace(promise, near_mean=round(promise.near_mean * OUTSIDE**outside))
+    outcomes = tuple(mode if other is promise else other for other in operator.outcomes)
+    return msgspec.structs.replace(plain, outcomes=outcomes)
+
+
 def _plain(operator: Operator) -> Operator:
     return msgspec.structs.replace(operator, rehearsals=(), objects=()) if operator.rehearsals else operator
 
@@ -188,8 +203,8 @@ def refined(
         return _plain(operator)
     at = (np.array(features) - regression.centre) / regression.scale
     values, spreads = regression.predict(at), regression.spreads(at)
-    is_inside = _is_inside(np.array(rehearsed_objects(operator, category)), features)
-    sure = operator.trials * (1.0 if is_inside else OUTSIDE)
+    outside = _outside(np.array(rehearsed_objects(operator, category)), features)
+    sure = operator.trials * OUTSIDE**outside
     so, kept = (round(regression.chance(at, within) * sure) for within in (np.inf, tolerance))
     is_held = promise.kind == "held"
     resting = (*values[:2].tolist(), promise.resting_effect[2])

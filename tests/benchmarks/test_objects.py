@@ -2,11 +2,15 @@
 
 import json
 
+import msgspec
 import numpy as np
 import pytest
 from places import ROOT
 
+from neurosym.problems import Trial
 from neurosym.sim.shapes import UNSEEN
+from neurosym.tasks.options import puts_for
+from neurosym.tasks.pasts import LEAST_CHANCE
 from tools.benchmarks.objects import evaluate
 from tools.benchmarks.objects.summary import page, summarise
 from tools.benchmarks.objects.tasks import LOOKALIKE, SHAPES, at_an_edge, object_of, to_a_point
@@ -26,13 +30,14 @@ def test_found_is_summed_up_and_told():
     assert told["lookalikes"] == {"features": 0.5, "effects": 1.0}
     assert told["unseen"]["0"] == {"carry": 0.0, "push": None, "stack": 1.0}
     assert told["unseen"]["1"]["carry"] == 0.5
-    assert (told["pushed_20mm"], told["pushed"]["motions"]) == (0.5, 1.0)
+    assert (told["pushed_20mm"], told["pushed"]["motions"], told["pushed"]["of_reached"]) == (0.5, 2.0, 1.0)
     assert told["edge_brier"] == pytest.approx((0.01 + 0.36) / 2)
     assert told["edge_base"] == 0.25
     said = page(told)
     assert "| ball | 0, 50, 100, 100 % | -, -, -, - % | -, -, -, - % |" in said
     assert "| d low | 2 | 0.75 | 0.5 | 0.185 | 0.25 |" in said
-    assert "50% (9 to 91) of 2, 1.0 motions a task" in said
+    assert "50% (9 to 91) of 2; 2.0 motions a task, 1.0 where it was reached." in said
+    assert "With 0 more pushes that stop on their way" in said
 
 
 def test_the_page_is_that_of_the_figures():
@@ -65,3 +70,21 @@ def test_a_task_of_a_look_alike_knows_what_is_hidden_and_goes_far_enough():
     assert len(item.unseen) == len(UNSEEN)
     assert np.linalg.norm(np.subtract(task.goals[item.name], item.position)) >= 0.15
     assert task.scene().unseen.tolist() == [list(item.unseen)]
+
+
+def test_what_was_carried_as_another_category_is_put_on_others_so():
+    _, task, grounding = evaluate.drawn("stack", "u-block", 905_002)
+    plain, zeros = task.objects[0], (0.0, 0.0, 0.0)
+    tried = Trial("to-001a", "carried", zeros, zeros, plain.orientation, crowded=False)
+
+    def puts(item):
+        asked = msgspec.structs.replace(task, objects=(item, *task.objects[1:]))
+        return [
+            put for put in puts_for(asked, grounding, *asked.object_names) if put.state.name == "rests-on-011"
+        ]
+
+    (usual,), (better,) = puts(plain), puts(msgspec.structs.replace(plain, past=(tried,)))
+    assert not usual.shown
+    assert better.shown
+    assert usual.share < LEAST_CHANCE < better.share
+    assert grounding.primitive_of(better.operator).label != grounding.primitive_of(usual.operator).label

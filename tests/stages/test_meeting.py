@@ -43,7 +43,7 @@ def test_tries_go_on_where_they_ended_and_are_forgotten_on_demand(folder, tmp_pa
     capsys.readouterr()
     assert neurosym("meet", folder, TASK, "--tries", 2) == 0
     said = capsys.readouterr().out
-    assert "item-01 looks like" in said
+    assert "item-01 looks like solid-low-10, and did as such objects do 2 of 2 times; it is best" in said
     assert "(tried 2 times)" in said
     assert contents(folder / "pasts") == contents(other / "pasts")
     assert neurosym("explain", folder) == 0

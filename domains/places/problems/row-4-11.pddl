@@ -9,7 +9,7 @@
     item-03 - hollow-wide-00
     item-04 - any-tall-narrow-11
     start-item-01 start-item-02 start-item-03 start-item-04 goal-item-01 goal-item-02 goal-item-03 goal-item-04 park-01 park-02 park-03 park-04 - spot
-    cost4 cost7 - price)
+    cost4 cost7 cost14 - price)
   (:init
     (hand-empty) (ready)
     ; what lies as it shall, and what is to be set upright
@@ -59,11 +59,11 @@
     (check item-03 park-04 start-item-04) (then item-03 park-04 start-item-04 nowhere)
     (check item-04 park-04 nowhere)
     ; what can be carried, from where, and its price
-    (can-carry item-01 cost7)
+    (can-carry item-01 cost14)
     (can-carry item-02 cost7)
     (can-carry item-03 cost4)
     (can-carry item-04 cost4)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost7) 7) (= (cost cost14) 14)
   )
   (:goal (and (done item-01) (done item-02) (done item-03) (done item-04)))
   (:metric minimize (total-cost)))

@@ -41,7 +41,7 @@
     (= (along-x m-010a-item-01) 9859) (= (along-y m-010a-item-01) 10436) (= (along-z m-010a-item-01) 10000)
     (= (along-x m-011-item-01) 10047) (= (along-y m-011-item-01) 10837) (= (along-z m-011-item-01) 10000)
     (= (along-x m-111-item-01) 10063) (= (along-y m-111-item-01) 9839) (= (along-z m-111-item-01) 10000)
-    (= (total-cost) 0) (= (cost m-000-item-01) 22) (= (cost m-000-down-item-01) 0) (= (cost m-000a-item-01) 34) (= (cost m-000a-down-item-01) 0) (= (cost m-011a-lift-item-01) 99) (= (cost m-011a-lift-down-item-01) 0) (= (cost m-100a-item-01) 34) (= (cost m-100a-down-item-01) 0) (= (cost m-101a-item-01) 34) (= (cost m-101a-down-item-01) 0) (= (cost m-110a-lift-item-01) 11) (= (cost m-110a-lift-down-item-01) 0) (= (cost m-111a-item-01) 34) (= (cost m-001a-item-01) 34) (= (cost m-010a-item-01) 11) (= (cost m-011-item-01) 11) (= (cost m-111-item-01) 34)
+    (= (total-cost) 0) (= (cost m-000-item-01) 22) (= (cost m-000-down-item-01) 0) (= (cost m-000a-item-01) 14) (= (cost m-000a-down-item-01) 0) (= (cost m-011a-lift-item-01) 99) (= (cost m-011a-lift-down-item-01) 0) (= (cost m-100a-item-01) 14) (= (cost m-100a-down-item-01) 0) (= (cost m-101a-item-01) 14) (= (cost m-101a-down-item-01) 0) (= (cost m-110a-lift-item-01) 11) (= (cost m-110a-lift-down-item-01) 0) (= (cost m-111a-item-01) 14) (= (cost m-001a-item-01) 14) (= (cost m-010a-item-01) 11) (= (cost m-011-item-01) 11) (= (cost m-111-item-01) 18)
   )
   (:goal (and (<= (x item-01) 1652) (>= (x item-01) 857) (<= (+ (x item-01) (y item-01)) 5407) (>= (+ (x item-01) (y item-01)) 4283) (<= (y item-01) 3987) (>= (y item-01) 3193) (<= (y item-01) (+ (x item-01) 2898)) (<= (+ (x item-01) 1774) (y item-01)) (>= (z item-01) 1992) (<= (z item-01) 2203)))
   (:metric minimize (total-cost)))

@@ -30,7 +30,7 @@
     (= (along-x m-1001-item-01) 10165) (= (along-y m-1001-item-01) 10428) (= (along-z m-1001-item-01) 10000)
     (= (along-x m-0010a-item-01) 9950) (= (along-y m-0010a-item-01) 9774) (= (along-z m-0010a-item-01) 10000)
     (= (along-x m-0011a-item-01) 10057) (= (along-y m-0011a-item-01) 10290) (= (along-z m-0011a-item-01) 10000)
-    (= (total-cost) 0) (= (cost m-1100-lift-item-01) 14) (= (cost m-1100-lift-down-item-01) 0) (= (cost m-0100a-item-01) 36) (= (cost m-0110a-item-01) 32) (= (cost m-0111a-item-01) 32) (= (cost m-0101-item-01) 40) (= (cost m-1101-item-01) 45) (= (cost m-1111a-item-01) 32) (= (cost m-0000a-item-01) 45) (= (cost m-1010a-item-01) 32) (= (cost m-1011-item-01) 7) (= (cost m-1011a-item-01) 32) (= (cost m-0001a-item-01) 40) (= (cost m-1001-item-01) 32) (= (cost m-0010a-item-01) 32) (= (cost m-0011a-item-01) 32)
+    (= (total-cost) 0) (= (cost m-1100-lift-item-01) 14) (= (cost m-1100-lift-down-item-01) 0) (= (cost m-0100a-item-01) 17) (= (cost m-0110a-item-01) 14) (= (cost m-0111a-item-01) 14) (= (cost m-0101-item-01) 20) (= (cost m-1101-item-01) 28) (= (cost m-1111a-item-01) 14) (= (cost m-0000a-item-01) 45) (= (cost m-1010a-item-01) 14) (= (cost m-1011-item-01) 7) (= (cost m-1011a-item-01) 17) (= (cost m-0001a-item-01) 20) (= (cost m-1001-item-01) 14) (= (cost m-0010a-item-01) 14) (= (cost m-0011a-item-01) 14)
   )
   (:goal (and (<= (x item-01) 3618) (>= (x item-01) 2709) (<= (+ (x item-01) (y item-01)) 7556) (>= (+ (x item-01) (y item-01)) 6269) (<= (y item-01) 4204) (>= (y item-01) 3294) (<= (y item-01) (+ (x item-01) 1229)) (<= (x item-01) (+ (y item-01) 58)) (>= (z item-01) 2010) (<= (z item-01) 2010)))
   (:metric minimize (total-cost)))

@@ -13,7 +13,7 @@
     rests-on-item-01 sits-in-item-01 rests-on-item-02 rests-on-item-03 rests-on-item-04 sits-in-item-04 rests-on-item-05 sits-in-item-05 rests-on-item-06 sits-in-item-06 - perch
     n1 n2 - count
     way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 way15 way16 way17 way18 way19 - way
-    cost4 cost12 cost13 cost22 cost27 cost34 cost35 cost36 cost37 cost49 cost50 cost52 cost64 cost70 cost71 cost75 cost86 cost121 cost141 - price)
+    cost4 cost12 cost13 cost14 cost22 cost27 cost34 cost35 cost36 cost37 cost49 cost50 cost52 cost64 cost70 cost71 cost75 cost86 cost121 cost141 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -57,7 +57,7 @@
     (can-carry item-01 from-spot cost4) (can-carry item-01 from-perch cost4)
     (can-carry item-03 from-spot cost4) (can-carry item-03 from-perch cost4)
     (can-carry item-04 from-spot cost4) (can-carry item-04 from-perch cost4)
-    (can-carry item-05 from-spot cost4) (can-carry item-05 from-perch cost4)
+    (can-carry item-05 from-spot cost14) (can-carry item-05 from-perch cost14)
     (can-carry item-06 from-spot cost4) (can-carry item-06 from-perch cost4)
     ; counting
     (next n0 n1)
@@ -100,7 +100,7 @@
     (fee way17 from-spot n0 cost37)
     (fee way18 from-spot n0 cost70)
     (fee way19 from-spot n0 cost121) (fee way19 from-spot n1 cost121)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost13) 13) (= (cost cost22) 22) (= (cost cost27) 27) (= (cost cost34) 34) (= (cost cost35) 35) (= (cost cost36) 36) (= (cost cost37) 37) (= (cost cost49) 49) (= (cost cost50) 50) (= (cost cost52) 52) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost71) 71) (= (cost cost75) 75) (= (cost cost86) 86) (= (cost cost121) 121) (= (cost cost141) 141)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost12) 12) (= (cost cost13) 13) (= (cost cost14) 14) (= (cost cost22) 22) (= (cost cost27) 27) (= (cost cost34) 34) (= (cost cost35) 35) (= (cost cost36) 36) (= (cost cost37) 37) (= (cost cost49) 49) (= (cost cost50) 50) (= (cost cost52) 52) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost71) 71) (= (cost cost75) 75) (= (cost cost86) 86) (= (cost cost121) 121) (= (cost cost141) 141)
   )
   (:goal (and (stands item-06 rests-on-item-01) (stands item-01 rests-on-item-05) (stands item-05 rests-on-item-02)))
   (:metric minimize (total-cost)))

@@ -13,7 +13,7 @@
     rests-on-item-01 rests-on-item-02 sits-in-item-02 rests-on-item-03 sits-in-item-03 rests-on-item-04 rests-on-item-05 sits-in-item-05 sits-in-item-06 - perch
     n1 n2 - count
     way1 way2 way3 way4 way5 way6 way7 way8 way9 way10 way11 way12 way13 way14 way15 way16 way17 way18 way19 way20 way21 way22 way23 way24 way25 way26 - way
-    cost4 cost11 cost12 cost15 cost22 cost23 cost30 cost34 cost36 cost37 cost48 cost49 cost50 cost51 cost56 cost64 cost70 cost74 cost75 cost82 cost84 cost90 cost102 cost121 cost141 cost174 - price)
+    cost4 cost11 cost12 cost14 cost15 cost22 cost23 cost30 cost36 cost37 cost48 cost49 cost50 cost51 cost56 cost64 cost70 cost74 cost75 cost82 cost84 cost90 cost102 cost121 cost141 cost174 - price)
   (:init
     (hand-empty) (ready)
     ; where objects are at first
@@ -62,7 +62,7 @@
     (free park-06)
     (check item-01 park-06 nowhere)
     ; what can be carried, from where, and its price
-    (can-carry item-01 from-spot cost34) (can-carry item-01 from-perch cost34)
+    (can-carry item-01 from-spot cost14) (can-carry item-01 from-perch cost14)
     (can-carry item-02 from-spot cost4) (can-carry item-02 from-perch cost4)
     (can-carry item-03 from-spot cost4) (can-carry item-03 from-perch cost4)
     (can-carry item-04 from-spot cost11) (can-carry item-04 from-perch cost11)
@@ -115,7 +115,7 @@
     (fee way24 from-spot n0 cost37) (fee way24 from-spot n1 cost37)
     (fee way25 from-spot n0 cost70)
     (fee way26 from-spot n0 cost121)
-    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost15) 15) (= (cost cost22) 22) (= (cost cost23) 23) (= (cost cost30) 30) (= (cost cost34) 34) (= (cost cost36) 36) (= (cost cost37) 37) (= (cost cost48) 48) (= (cost cost49) 49) (= (cost cost50) 50) (= (cost cost51) 51) (= (cost cost56) 56) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost74) 74) (= (cost cost75) 75) (= (cost cost82) 82) (= (cost cost84) 84) (= (cost cost90) 90) (= (cost cost102) 102) (= (cost cost121) 121) (= (cost cost141) 141) (= (cost cost174) 174)
+    (= (total-cost) 0) (= (cost cost4) 4) (= (cost cost11) 11) (= (cost cost12) 12) (= (cost cost14) 14) (= (cost cost15) 15) (= (cost cost22) 22) (= (cost cost23) 23) (= (cost cost30) 30) (= (cost cost36) 36) (= (cost cost37) 37) (= (cost cost48) 48) (= (cost cost49) 49) (= (cost cost50) 50) (= (cost cost51) 51) (= (cost cost56) 56) (= (cost cost64) 64) (= (cost cost70) 70) (= (cost cost74) 74) (= (cost cost75) 75) (= (cost cost82) 82) (= (cost cost84) 84) (= (cost cost90) 90) (= (cost cost102) 102) (= (cost cost121) 121) (= (cost cost141) 141) (= (cost cost174) 174)
   )
   (:goal (and (stands item-02 rests-on-item-01) (stands item-01 rests-on-item-04) (stands item-04 rests-on-item-03)))
   (:metric minimize (total-cost)))

@@ -28,8 +28,8 @@ from neurosym.world import relative_to
 from tools.benchmarks import options
 from tools.benchmarks.domains import bench_of
 from tools.benchmarks.jobs import Evaluation, Jobs
-from tools.benchmarks.objects import contact, tasks
-from tools.benchmarks.objects.summary import page, summarise
+from tools.benchmarks.objects import contact, parts, tasks
+from tools.benchmarks.objects.summary import PARTS, added, page, summarise
 from tools.benchmarks.planning.trials import PLANNER
 
 TRIES = (0, 1, 3, 5)
@@ -57,6 +57,8 @@ def main(
         evaluation.write(summary, page(summary))
 
     evaluation.perform(jobs(scale, first), "objects", report)
+    evaluation.perform(stopping(), "stopping pushes on their way", report)
+    evaluation.perform(in_part(scale, first, added(evaluation.found())), "pushing in part", report)
     evaluation.perform(contact.jobs(), "learning from contact and force", report)
     report()
 
@@ -81,13 +83,30 @@ def jobs(scale: float, first: int) -> Jobs:
     return found
 
 
+def stopping() -> Jobs:
+    """List the choices of pushes that stop on their way, by name."""
+    folder, (_, _, grounding) = _folder("carry"), bench_for("carry")
+    symbols = [one.symbol for one in grounding.objects.categories if one.objects]
+    return {f"{PARTS}{symbol}": partial(parts.find, folder, symbol) for symbol in symbols}
+
+
+def in_part(scale: float, first: int, found: Sequence[Any]) -> Jobs:
+    """List tries of pushing with pushes that stop on their way, by name."""
+    blocks = _blocks(options.scaled(scale, PUSHED_TASKS), first)
+    return {f"in-part-{block.start}": partial(try_pushed, block, found) for block in blocks}
+
+
+def _folder(kind: str) -> Path:
+    return options.ROOT / "domains" / DOMAINS[kind]
+
+
 def _blocks(count: int, first: int) -> list[range]:
     return [range(first + at, first + min(at + BLOCK, count)) for at in range(0, count, BLOCK)]
 
 
 def bench_for(kind: str) -> tuple[Bench, DomainFolder, Grounding]:
     """Return the domain that a kind of task is tried with."""
-    folder = options.ROOT / "domains" / DOMAINS[kind]
+    folder = _folder(kind)
     bench = bench_of(folder)
     learned = bench.setting.grounding
     return bench, DomainFolder(folder), tasks.pushing(learned) if kind == "push" else learned
@@ -159,9 +178,13 @@ def try_lookalikes(kind: str, seeds: Sequence[int]) -> list[Any]:
     return found
 
 
-def try_pushed(seeds: Sequence[int]) -> list[Any]:
-    """Try to bring objects that can be pushed only to points within 20 mm: whether, in how many motions."""
-    bench, _, grounding = bench_for("carry")
+def try_pushed(seeds: Sequence[int], added: Sequence[Any] = ()) -> list[Any]:
+    """Try to bring objects that can be pushed only to points within 20 mm: whether, in how many motions.
+
+    Pushes that stop on their way are added, as `parts.find` tells of them.
+    """
+    bench, _, learned = bench_for("carry")
+    grounding = parts.with_parts(learned, added)
     solve, found = planner_of(bench.setting, PLANNER, time_limit=TIME_LIMIT), list[Any]()
     for seed in seeds:
         problem = tasks.pushed_only(bench, seed)
