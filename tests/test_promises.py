@@ -14,7 +14,7 @@ from neurosym.pddl.compiler import problem_text
 from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject
 from neurosym.regression import fit
-from neurosym.tasks.promises import chances_of, is_rehearsed, promised, usable, why_unfit
+from neurosym.tasks.promises import OUTSIDE, chances_of, is_rehearsed, promised, usable, why_unfit
 from neurosym.tasks.transition import PlanStep, validate
 
 AWAY = "push-away-001-block"
@@ -51,12 +51,14 @@ def test_what_an_operator_does_is_read_from_objects_of_that_size(width: float):
     assert promised(learned, block(width))[AWAY].rehearsals == ()
 
 
-def test_objects_unlike_all_that_were_rehearsed_are_promised_the_mean():
+def test_objects_unlike_all_that_were_rehearsed_are_promised_the_mean_less_surely():
     learned = rehearsed()
     huge = block(0.2)
     assert not is_rehearsed(learned.category("00"), huge.features)
     assert is_rehearsed(learned.category("00"), block(0.09).features)
-    assert promised(learned, huge)[AWAY].promise == learned.operator_named(AWAY).promise
+    found, mean = promised(learned, huge)[AWAY].promise, learned.operator_named(AWAY).promise
+    assert found.near_mean == round(OUTSIDE * mean.near_mean)
+    assert found == msgspec.structs.replace(mean, near_mean=found.near_mean)
 
 
 def test_what_mostly_fails_with_an_object_is_not_planned_with_and_the_problem_leaves_it_out():
