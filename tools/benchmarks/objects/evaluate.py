@@ -35,7 +35,7 @@ from tools.benchmarks.planning.trials import PLANNER
 TRIES = (0, 1, 3, 5)
 FIRST = 945_000  # seed of the first task, far from those of other evaluations
 TIME_LIMIT = 60.0  # of one plan [s]; far more than any takes
-UNSEEN_TASKS, LOOKALIKES, PUSHED_TASKS, EDGE_OBJECTS, BLOCK = 10, 60, 60, 20, 5
+UNSEEN_TASKS, LOOKALIKES, PUSHED_TASKS, EDGE_OBJECTS, BLOCK = 10, 120, 60, 20, 5
 """How many there are: of each shape and kind, look-alikes, pushed only, of each edge; tried at once."""
 MOTIONS_AT_AN_EDGE = 6  # that are tried with each object
 DOMAINS = {"carry": "places", "push": "places", "stack": "towers", "pushes": "tabletop"}

@@ -16,7 +16,7 @@ PARTS = "parts-"
 _KINDS = {"carry": "carried to a point", "push": "pushed to a point", "stack": "put on a box"}
 _LOOKS = {"carry": "domain with places", "pushes": "domain without"}
 _FEATURES = ("s_x", "s_y", "d")
-_NEAR = (0.05, 0.02)  # how near to its promise a motion ends that was right [m]
+_NEAR = (0.05, 0.02, 0.005)  # how near to its promise a motion ends that was right [m]
 
 
 def summarise(found: Mapping[str, Any]) -> dict[str, Any]:
