@@ -164,15 +164,12 @@ def puts_for(
     own = {put.state.name: put.chance for put in ranked if put.operator.subject}
     shares = problem.foreseen.get(key, {})
     fits = {put.state.name for put in fitting if shares.get(put.name, 0.0) >= LEAST}
-    at_hand = [
-        put
-        for put in fitting
-        if put.operator.subject
-        or (
-            (put.foreseen is not None or (put.shown and put.state.name in fits))
-            and put.chance > own.get(put.state.name, 0.0)
-        )
-    ]
+
+    def is_likelier(put: Put) -> bool:
+        is_known = put.foreseen is not None or (put.shown and put.state.name in fits)
+        return is_known and put.chance > own.get(put.state.name, 0.0)
+
+    at_hand = [put for put in fitting if put.operator.subject or is_likelier(put)]
     likely = [put for put in at_hand if put.share >= LEAST_CHANCE]
     known = {put.state.symbol for put in likely}
     asked = {state for one, other, state in problem.relations if (one, other) == (target, reference)}
