@@ -7,7 +7,7 @@ PYTHON ?= $(shell for each in $(PYTHONS); do $$each -c '$(SUPPORTED)' 2>/dev/nul
 BIN := $(VENV)/bin
 comma := ,
 
-.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-budget evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-planners evaluate-foreign evaluate-scale evaluate-any-data evaluate-asked evaluate-objects evaluate-studio faults tutorial architecture pictures films docs clean
+.PHONY: install demo test test-pythons lint fuzz evaluate evaluate-world evaluate-budget evaluate-learning evaluate-planning evaluate-places evaluate-relations evaluate-planners evaluate-foreign evaluate-scale evaluate-any-data evaluate-asked evaluate-objects evaluate-camera evaluate-studio faults tutorial architecture pictures films docs clean
 
 install: $(VENV)/.installed
 
@@ -81,6 +81,10 @@ evaluate-asked: install
 # Objects that nothing was learned of, by features and by what they did, into docs/results/objects.*; goes on where it was interrupted.
 evaluate-objects: install
 	$(BIN)/python -m tools.benchmarks.objects.evaluate --scale $(SCALE)
+
+# What is learned from a depth camera beside true features, into docs/results/camera.*; goes on where it was interrupted.
+evaluate-camera: install
+	$(BIN)/python -m tools.benchmarks.camera.evaluate --scale $(SCALE)
 
 # How well objects are carried to places, over seeds, into docs/results/places.*; goes on where it was interrupted.
 evaluate-places: install

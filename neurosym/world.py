@@ -422,6 +422,16 @@ def turns(world: World) -> bool:
     return bool(getattr(world, "turns", False))
 
 
+def unshown_of(world: World) -> tuple[int, ...]:
+    """Return the numbers of the features that networks are not shown; none if the world does not say.
+
+    Of a pair of objects these are features of either.
+    """
+    if not (names := getattr(world, "unshown", ())):
+        return ()
+    return tuple(n for n, name in enumerate(world.feature_names) if name.split()[-1] in names)
+
+
 def relative_to(world: World, reference: Reference | None) -> dict[str, Any]:
     """Return what `interact` is given besides; a world that knows no references is never given any.
 

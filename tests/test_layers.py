@@ -18,10 +18,11 @@ from tools.package_imports import DOORS, arrows, files_of, imported, layer_of
 PACKAGE = ROOT / "neurosym"
 LAYERS = {
     "tasks": "",
-    "sim": "",
     "data": "",
+    "perception": "data",
+    "sim": "perception",
     "worlds": "sim tasks data",
-    "learning": "data tasks",
+    "learning": "data tasks perception",
     "exploration": "worlds data learning",
     "primitives": "worlds data learning tasks",
     "pddl": "data tasks",
@@ -29,7 +30,8 @@ LAYERS = {
     "values": "data tasks pddl planners",
     "execution": "tasks pddl planners",
     "pictures": "worlds data primitives tasks pddl execution",
-    "stages": "worlds data learning exploration primitives tasks pddl planners execution pictures values",
+    "stages": "perception worlds data learning exploration primitives tasks pddl planners execution pictures "
+    "values",
     "evaluation": "worlds data learning primitives tasks pddl planners values execution stages",
     "report": "worlds data learning tasks pddl values execution pictures stages evaluation",
     "studio": "worlds data learning tasks pddl planners execution pictures stages report",

@@ -23,6 +23,7 @@ GROUPS = {
     },
     "Learning, step by step": {
         "init": "Make a new domain folder with a `world.toml` that holds every option of its world.",
+        "see": "Teach the eye of a world with a camera: `world.toml` -> `eye.safetensors`.",
         "explore": "Let the robot explore, curious or at random: `world.toml` -> `interactions.npz`.",
         "check": "Check a data set, of your own or explored, before it is trained on.",
         "train": "Fit the model whose bits are symbols: `interactions.npz` -> `effect_model.safetensors`.",
@@ -55,7 +56,7 @@ own file; `neurosym run DIR` goes the whole way. To begin: neurosym demo, or neu
 1024. Any command prints only what goes wrong with --quiet; neurosym --version says which this is."""
 
 _HOMES = {
-    "learn": ("init", "explore", "check", "train", "distill", "compile-domain"),
+    "learn": ("init", "see", "explore", "check", "train", "distill", "compile-domain"),
     "pipeline": ("run",),
     "tasks": ("new-problem", "plan", "planners", "validate"),
     "execute": ("demo", "execute", "meet", "replay"),

@@ -56,7 +56,7 @@ ActionBits = Annotated[
 def init(
     folder: Folder,
     world: Annotated[
-        str, arg(help="Which world, for a new folder: tabletop, toy, or your own as module:factory.")
+        str, arg(help="Which world, for a new folder: tabletop, camera, toy, or yours as module:factory.")
     ] = "tabletop",
     data: Annotated[
         Optional[Path],
@@ -85,6 +85,7 @@ def init(
     if not (world == "tabletop" and _write_own_axes(folder)):
         make_domain_folder(folder, world)
     command = "train" if (folder / layout.INTERACTIONS).is_file() else "explore"
+    command = "see" if world == "camera" else command
     say_next(f"neurosym {'distill' if (folder / layout.MODEL).is_file() else command} {quoted(folder)}")
     return 0
 
@@ -92,12 +93,12 @@ def init(
 def _take_data(folder: Path, data: Path, columns: Path | None) -> None:
     """Make a domain folder of a table, with its axes in `world.toml`."""
     from neurosym.data.axes import axes_in
-    from neurosym.data.foreign_tables import read_interactions
     from neurosym.data.origin import training_problems
     from neurosym.files import make_folder, write_new
+    from neurosym.stages.seeing import seen_in
     from neurosym.worlds.world_file import axes_text
 
-    found = read_interactions(data, columns, lambda said: say(f"note: {said}"))
+    found, eye = seen_in(data, columns, lambda said: say(f"note: {said}"))
     if problems := training_problems(found.columns, found.origin):
         raise InvalidData(data, problems)
     for name in (layout.INTERACTIONS, layout.WORLD):
@@ -106,6 +107,9 @@ def _take_data(folder: Path, data: Path, columns: Path | None) -> None:
     make_folder(folder)
     write_new(folder / layout.WORLD, axes_text(axes_in(found.origin["axes"])))
     found.save(folder / layout.INTERACTIONS)
+    if eye:
+        eye.save(folder / layout.EYE)
+        say(f"wrote {folder / layout.EYE}, which tells images in numbers: v1, v2 and so on")
     axes = ", ".join(f"{axis.name} ({axis.kind})" for axis in axes_in(found.origin["axes"]))
     say(f"wrote {folder / layout.INTERACTIONS}, {counted(len(found), 'interaction')}")
     say(f"wrote {folder / layout.WORLD}, where kinds, cells and bounds of axes can be set: {axes}")
@@ -149,6 +153,28 @@ def make_domain_folder(folder: Path, world: str) -> None:
         said = f"{folder / layout.WORLD} exists already; change it by hand, or name another folder."
         raise InvalidValue(said)
     say(f"wrote {folder / layout.WORLD}")
+
+
+def see(
+    folder: Folder,
+    interactions: Annotated[int, arg(help="Random actions to learn from.")] = 2000,
+    looks: Annotated[int, arg(help="Objects to look at besides.")] = 4000,
+    seed: Seed = 0,
+    workers: Workers = CPUS,
+) -> int:
+    """Teach the eye of a world with a camera: `world.toml` -> `eye.safetensors`.
+
+    It learns to tell the crop of an object in five numbers, from what random actions do to such objects.
+    Interrupt it when you like: the same command goes on.
+    """
+    from neurosym.stages.seeing import see_stage
+
+    domain = opened(folder)
+    stage = see_stage(domain, acted=interactions, looked=looks, seed=seed, workers=workers)
+    domain.perform(stage, again=True)
+    say(f"wrote {folder / layout.EYE}, which learned from {counted(interactions, 'interaction')}")
+    say_next(f"neurosym explore {quoted(folder)}")
+    return 0
 
 
 def explore(

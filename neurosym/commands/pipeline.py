@@ -36,9 +36,10 @@ from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.stages.rounds import Recipe, Round, Share, budget_of, explored_in, grow, perform, rounds
+from neurosym.stages.seeing import see_stage, seen_ledger
 from neurosym.stages.verdicts import Tries, judge_domain, judge_tries, worst
 from neurosym.world import World, references_of
-from neurosym.worlds.world_file import read_world
+from neurosym.worlds.world_file import read_world, sees
 
 _PLANNER = "fast-downward"
 _MOST_PROBLEMS = 30
@@ -49,7 +50,9 @@ def run(
     folder: Folder,
     world: Annotated[
         Optional[str],
-        arg(help="Which world, for a new folder: tabletop (default), toy, or your own as module:factory."),
+        arg(
+            help="Which world, for a new folder: tabletop (default), camera, toy, or yours as module:factory."
+        ),
     ] = None,
     strategy: Strategy = DEFAULT_STRATEGY,
     interactions: Annotated[
@@ -99,6 +102,8 @@ def run(
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = explored_in(domain)[layout.OBJECTS] or None
     known = read_world(domain.require(layout.WORLD))()
+    if sees(domain / layout.WORLD):
+        perform(domain, see_stage(domain, seed=seed, workers=workers))
     plan = _plan(domain, known, interactions, steps, places, relations, operators)
     recipe = Recipe(strategy, regime, choice, rehearsals, seed, workers, bits)
     grow(domain, plan, recipe, is_open=interactions is not None or steps is None)
@@ -183,7 +188,10 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
     purposes = Counter(explored=explored_in(folder).total())
     for aim in AIMS:
         purposes += ledger_of(folder, aim).purposes
-    if purposes.total() >= (total := budget_of(folder).total):  # all is kept that was performed
+    learned = purposes.total()
+    if sees(folder / layout.WORLD):
+        purposes += seen_ledger(folder).purposes
+    if learned >= (total := budget_of(folder).total):  # all is kept that was performed
         told = ", ".join(f"{count} {purpose}" for purpose, count in purposes.items())
         say(f"{counted(purposes.total(), 'interaction')}: {told}")
     else:

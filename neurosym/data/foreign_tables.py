@@ -55,8 +55,42 @@ Table = Mapping[str, np.ndarray]
 """Columns (N,) and arrays (N, C) by name; a column of a .csv file may hold words."""
 
 
+IMAGES = "images"
+"""The array (N, side, side) that shows what was acted upon."""
+_TOLD = "v"  # columns of what an eye tells of images
+
+
+def read_images(path: Path) -> Float[np.ndarray, "N side side"] | None:
+    """Read the images of a table; None if it has none.
+
+    Raises:
+        InvalidFile: If a file cannot be read, or what is called so is no images.
+    """
+    if path.suffix.lower() in KINDS[:2] or IMAGES not in (table := _arrays(path)):
+        return None
+    found = table[IMAGES]
+    if (
+        found.ndim != 3
+        or found.shape[1] != found.shape[2]
+        or not found.size
+        or found.dtype.kind not in "fiub"
+    ):
+        raise InvalidFile(path, f"its images are {found.dtype} {found.shape}; valid: numbers (N, side, side)")
+    with np.errstate(all="ignore"):
+        images = found.astype(np.float64)
+    if bad := np.argwhere(~np.isfinite(images)).tolist():
+        raise InvalidFile(path, f"images{bad[0]} is not finite")
+    if not np.ptp(images):
+        raise InvalidFile(path, f"its images are empty: every pixel is {images.flat[0]:g}")
+    return images
+
+
 def read_interactions(
-    path: Path, columns: Path | None = None, note: Callable[[str], None] = lambda _: None
+    path: Path,
+    columns: Path | None = None,
+    note: Callable[[str], None] = lambda _: None,
+    *,
+    told: Float[np.ndarray, "N numbers"] | None = None,
 ) -> Interactions:
     """Read a table as interactions.
 
@@ -64,15 +98,23 @@ def read_interactions(
         path: The table; one of `KINDS`.
         columns: A TOML file that says which columns are what, if their names do not, and what axes are.
         note: Is told what should be known of how the table was read.
+        told: What an eye tells of its images: features beside those that it has, if any.
 
     Raises:
         InvalidFile: If a file cannot be read.
         InvalidData: If what the table holds cannot be learned from; all problems are told.
     """
     table, mapping = _read(path), _mapping(columns) if columns else Roles()
+    if told is not None:
+        table = {**table, **{f"feature.{_TOLD}{n}": column for n, column in enumerate(told.T, start=1)}}
     if not any(getattr(mapping, role) for role in _ASKED):
         given = {"axes": mapping.axes, "names": mapping.names, "origin": mapping.origin}
         mapping = msgspec.structs.replace(_by_names(path, table), **given)
+    elif told is not None:
+        seen = tuple(f"feature.{_TOLD}{n}" for n in range(1, told.shape[1] + 1))
+        mapping = msgspec.structs.replace(mapping, features=(*mapping.features, *seen))
+    if told is not None and mapping.episode:
+        raise InvalidFile(path, "it has images, and episodes in place of effects; valid: effects, or after")
     with blaming(columns or path):
         arrays, origin = _gathered(*_paired(table, mapping))
     if unread := [shortened(name) for name in table if name not in _read_by(mapping)]:
@@ -97,15 +139,20 @@ def _read_by(mapping: Roles) -> set[str]:
 
 
 def _read(path: Path) -> dict[str, np.ndarray]:
-    """Read a table by what its name ends with."""
-    readers = dict(zip(KINDS, (_read_csv, _read_npy, _read_npz, _read_pt, _read_tensors), strict=True))
-    if path.suffix.lower() not in readers:
-        raise InvalidFile(path, f"it is none of the tables that are read; valid: {', '.join(KINDS)}")
-    table = readers[path.suffix.lower()](path)
+    """Read the columns and arrays of a table."""
+    table = _arrays(path)
     rows = {name: len(column) for name, column in table.items() if column.ndim in (1, 2)}
     if not rows:
         raise InvalidFile(path, "it holds no column of numbers")
     return {name: column for name, column in table.items() if name in rows}
+
+
+def _arrays(path: Path) -> dict[str, np.ndarray]:
+    """Read a table by what its name ends with."""
+    readers = dict(zip(KINDS, (_read_csv, _read_npy, _read_npz, _read_pt, _read_tensors), strict=True))
+    if path.suffix.lower() not in readers:
+        raise InvalidFile(path, f"it is none of the tables that are read; valid: {', '.join(KINDS)}")
+    return readers[path.suffix.lower()](path)
 
 
 def _read_csv(path: Path) -> dict[str, np.ndarray]:

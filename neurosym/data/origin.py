@@ -28,12 +28,15 @@ class Dimensions:
     actions: int = 12  # how many action parameters
     effects: int = 3  # how many effect axes
     gripper_columns: tuple[int, ...] = (3, 7, 11)  # which action parameters are gripper values
+    unshown: tuple[int, ...] = ()  # which object features it is not shown
 
     def __post_init__(self) -> None:
         if min(self.features, self.actions, self.effects) < 1:
             raise InvalidValue(f"{self} must have at least one feature, action parameter and effect axis.")
         if not all(0 <= column < self.actions for column in self.gripper_columns):
             raise InvalidValue(f"gripper_columns = {self.gripper_columns} must be below {self.actions}.")
+        if not all(0 <= column < self.features for column in self.unshown):
+            raise InvalidValue(f"unshown = {self.unshown} must be below {self.features}.")
 
 
 # Strategies of exploration: which candidate action to try next, and what the model learns from.
@@ -170,6 +173,7 @@ class _Read(msgspec.Struct, frozen=True):
     action_high: tuple[_Bound, ...] = ()
     mirrors: tuple[_Mirror, ...] = ()
     feature_names: tuple[str, ...] = ()
+    unshown: tuple[int, ...] = ()
     action_names: tuple[str, ...] = ()
     choices: tuple[int, ...] = ()
     axes: tuple[dict[str, Any], ...] = ()
@@ -223,6 +227,12 @@ def _origin_problems(origin: Mapping[str, Any], columns: Columns) -> list[str]:
         problems.append(f"{given}; valid: a list of different names")
     elif (count := _widths(usable).get("features", len(names))) != len(names) and "feature_names" in origin:
         problems.append(f"its origin has {len(names)} feature_names; valid: {count}, one for each")
+    features = _widths(usable).get("features", 0)
+    if len(set(read.unshown) & set(range(features))) < len(read.unshown):
+        problems.append(
+            f"its origin has unshown = {reprlib.repr(list(read.unshown))}; valid: different whole numbers "
+            f"from 0 to {features - 1}"
+        )
     problems += _axis_problems(origin, usable)
     if "actions" not in usable:
         return problems

@@ -24,7 +24,7 @@ from neurosym.errors import InvalidFile, InvalidValue, Progress
 from neurosym.exploration.curiosity import Curiosity, LearningConfig, make_curiosity
 from neurosym.files import at_once
 from neurosym.learning.training_config import EXPLORING, ModelConfig, check_positive
-from neurosym.world import EFFECT_AXES, Outcome, World, WorldFactory
+from neurosym.world import EFFECT_AXES, Outcome, World, WorldFactory, unshown_of
 from neurosym.worlds.workers import Perform, Task, crew
 
 # What is tried next: candidates are drawn, and a curious strategy picks the one it knows least about
@@ -132,8 +132,9 @@ def explore(
 
 def origin_of_world(world: World) -> dict[str, Any]:
     """Say of a world what training must know of its actions, in plain JSON values."""
-    box = world.action_box
+    box, unshown = world.action_box, unshown_of(world)
     return {
+        **({"unshown": list(unshown)} if unshown else {}),
         "world": world.name,
         "feature_names": list(world.feature_names),
         "gripper_columns": np.flatnonzero(box.gripper).tolist(),
@@ -169,7 +170,7 @@ class _Explorer:
         if about := strategy_named(strategy).curious_about:
             box, axes = world.action_box, getattr(world, "effect_axes", EFFECT_AXES)
             columns = tuple(np.flatnonzero(box.gripper).tolist())
-            dimensions = Dimensions(len(world.feature_names), len(box.low), axes, columns)
+            dimensions = Dimensions(len(world.feature_names), len(box.low), axes, columns, unshown_of(world))
             self.curiosity = make_curiosity(about, dimensions, model_config, config.learning, seed)
         self.interactions: Interactions | None = None
         self.blocks = self.kept = 0

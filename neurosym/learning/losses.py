@@ -219,4 +219,5 @@ def samples_of(interactions: Interactions, *, mirrors: bool = True) -> Samples:
 def dimensions_of(interactions: Interactions) -> Dimensions:
     """Read from a data set what a network for it must read and write."""
     features, actions, effects = (interactions.columns[name].shape[1] for name in REQUIRED)
-    return Dimensions(features, actions, effects, tuple(interactions.origin.get("gripper_columns", ())))
+    known = (tuple(interactions.origin.get(name, ())) for name in ("gripper_columns", "unshown"))
+    return Dimensions(features, actions, effects, *known)

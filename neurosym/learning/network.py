@@ -66,7 +66,10 @@ class EffectNetwork(nn.Module):
     def save(self, path: Path) -> None:
         """Write weights, configuration and `trained_by` as a safetensors file."""
         weights = {name: tensor.numpy().copy() for name, tensor in self.state_dict().items()}
-        parts = {"dimensions": asdict(self.dimensions), "config": asdict(self.config)}
+        dimensions = asdict(self.dimensions)
+        if not self.dimensions.unshown:
+            del dimensions["unshown"]  # which earlier versions did not know
+        parts = {"dimensions": dimensions, "config": asdict(self.config)}
         write_tensors(path, self.FORMAT, weights, {**parts, "trained_by": self.trained_by})
 
     @classmethod
@@ -161,20 +164,24 @@ class InputNorm(nn.BatchNorm1d):
     """Batch normalisation of what a network is shown, except for states of 0 and 1, which become -1 and 1.
 
     A state that hardly ever changes in the data would be divided by next to nothing, and the other state be
-    something that the network has never seen the like of.
+    something that the network has never seen the like of. What it is not shown is 0, whatever it is.
     """
 
     is_state: Tensor
+    is_shown: Tensor
 
-    def __init__(self, inputs: int, states: Sequence[int]):
+    def __init__(self, inputs: int, states: Sequence[int], unshown: Sequence[int] = ()):
         super().__init__(inputs)
-        is_state = torch.zeros(inputs, dtype=torch.bool)
-        is_state[list(states)] = True
+        is_state, is_shown = torch.zeros(inputs, dtype=torch.bool), torch.ones(inputs, dtype=torch.bool)
+        is_state[list(states)], is_shown[list(unshown)] = True, False
         self.register_buffer("is_state", is_state, persistent=False)
+        self.register_buffer("is_shown", is_shown, persistent=False)
+        self._shows_all = not len(unshown)
 
     def forward(self, shown: Float[Tensor, "B I"]) -> Float[Tensor, "B I"]:
         """Normalise the inputs."""
-        return torch.where(self.is_state, 2 * shown - 1, super().forward(shown))
+        normed = torch.where(self.is_state, 2 * shown - 1, super().forward(shown))
+        return normed if self._shows_all else torch.where(self.is_shown, normed, 0.0)
 
 
 def reflected(
@@ -216,7 +223,8 @@ class EffectModel(EffectNetwork):
         super().__init__(dimensions, config)
         bits, outputs = config.object_bits + config.action_bits, dimensions.effects
         states = dimensions.gripper_columns if config.gripper_sharpness is not None else ()
-        self.object_encoder = _encoder(InputNorm(dimensions.features, ()), config.object_bits, config)
+        norm = InputNorm(dimensions.features, (), dimensions.unshown)
+        self.object_encoder = _encoder(norm, config.object_bits, config)
         self.action_encoder = _encoder(InputNorm(dimensions.actions, states), config.action_bits, config)
         self.norm = nn.LayerNorm(bits) if config.layer_norm else nn.Identity()
         outputs *= 2 if config.head == "gaussian" else 1
@@ -369,7 +377,8 @@ class DirectModel(EffectNetwork):
         super().__init__(dimensions, config, outputs)
         columns = dimensions.gripper_columns if config.gripper_sharpness is not None else ()
         inputs = dimensions.features + dimensions.actions
-        norm = InputNorm(inputs, [dimensions.features + column for column in columns])
+        states = [dimensions.features + column for column in columns]
+        norm = InputNorm(inputs, states, dimensions.unshown)
         self.layers = nn.Sequential(norm, *_layers(inputs, config.hidden, config.dropout, outputs))
 
     def forward(self, features: Float[Tensor, "B F"], actions: Float[Tensor, "B A"]) -> Float[Tensor, "B O"]:

@@ -52,7 +52,12 @@ def check_problem(problem: Problem, grounding: Grounding | None, limits: ObjectL
                     "of length 1, as [0, 0, 0, 1]."
                 )
         if grounding:
-            grounding.category(item.category)
+            wanted = len(grounding.category(item.category).feature_means)
+            if wanted not in (0, found := len(item.features)):
+                raise InvalidValue(
+                    f"{item.name} has {found} features; this domain knows objects by {wanted}, as "
+                    "`neurosym new-problem` draws them in it."
+                )
             check_on_table(item, grounding.table, off=NEAR_TABLE)
         if limits and item.name not in bearers:
             _check_height(item)

@@ -291,7 +291,7 @@ def _files() -> tuple[str, ...]:
     """Name the files that rounds change."""
     from neurosym.exploration.loop import INTERACTIONS_FILE, STATE_FILE  # which takes seconds
 
-    names = [layout.WORLD, layout.BUDGET]
+    names = [layout.WORLD, layout.EYE, layout.BUDGET]
     for aim in AIMS:
         learned = layout.MODEL, *aim.networks, *aim.besides, *aim.foresees, layout.TRAINING, layout.LEDGER
         names += map(aim.file, (STATE_FILE, INTERACTIONS_FILE, layout.INTERACTIONS, *learned))

@@ -20,12 +20,13 @@ from neurosym.choices import is_factory
 from neurosym.contract import ObjectLimits
 from neurosym.data.axes import Axis, as_tables, axes_in
 from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, blaming, quoted, shortened
-from neurosym.files import LARGEST_WHOLE, read_toml
+from neurosym.files import LARGEST_WHOLE, digest, read_toml
 from neurosym.world import World
 from neurosym.worlds.own_world import OwnFactory, describe_apart, make_own_world
 
 WORLDS = {
     "tabletop": ("neurosym.sim.config:TabletopConfig", "neurosym.sim.tabletop:Tabletop"),
+    "camera": ("neurosym.sim.camera_world:CameraTableConfig", "neurosym.sim.camera_world:CameraWorld"),
     "toy": ("neurosym.worlds.toy:ToyConfig", "neurosym.worlds.toy:ToyWorld"),
     "toy-relations": ("neurosym.worlds.toy:ToyConfig", "neurosym.worlds.toy_relations:ToyRelations"),
 }
@@ -115,12 +116,19 @@ def axes_text(axes: Sequence[Axis]) -> str:
     return remark + tomli_w.dumps({"world": NONE, "axes": as_tables(axes)})
 
 
-def make_world(name: str, options: dict[str, Any]) -> World:
+SEEING = "camera"
+"""The world whose objects are known by what a camera sees, and an eye tells."""
+EYE = "eye.safetensors"
+"""What the file of an eye is called, beside `world.toml`."""
+
+
+def make_world(name: str, options: dict[str, Any], eye: Path | None = None) -> World:
     """Make a world by its name.
 
     Args:
         name: One of `WORLDS`, or `module:factory`.
         options: The world's options, as they stand in `world.toml`.
+        eye: The file of the eye, of a world that sees.
 
     Raises:
         UnknownChoice: If there is no such world, or no such option.
@@ -131,8 +139,13 @@ def make_world(name: str, options: dict[str, Any]) -> World:
         _check_finite(options)
         return make_own_world(name, options)
     config = _configured(name, options)
-    world: World = _imported(WORLDS[name][1])(config)
+    world: World = _imported(WORLDS[name][1])(config, *([eye] if eye else []))
     return world
+
+
+def sees(path: Path) -> bool:
+    """Say whether a `world.toml` names the world whose objects are known by what a camera sees."""
+    return path.is_file() and _read(path)[0] == SEEING
 
 
 def read_world(path: Path) -> "partial[World] | OwnFactory":
@@ -152,6 +165,8 @@ def read_world(path: Path) -> "partial[World] | OwnFactory":
             own()
             return own
         make_world(name, options)
+    if name == SEEING:
+        return partial(make_world, name, options, eye=path.absolute().with_name(EYE))
     return partial(make_world, name, options)
 
 
@@ -168,7 +183,7 @@ def read_limits(path: Path) -> ObjectLimits | None:
     if is_factory(name) or name == NONE:
         return None
     with blaming(path):
-        limits: ObjectLimits = _configured(name, options).object_limits
+        limits: ObjectLimits | None = _configured(name, options).object_limits
         return limits
 
 
@@ -198,7 +213,9 @@ def origin_of(factory: "partial[World] | OwnFactory") -> dict[str, Any]:
     if is_factory(name):
         plain = json.loads(json.dumps(options, default=str))  # TOML has dates, JSON has not
         return {"world": name, "world_options": plain}
-    return {"world_options": asdict(_configured(name, options))}
+    eye = factory.keywords.get("eye") if isinstance(factory, partial) else None
+    known = {"eye": digest(eye)} if eye and eye.is_file() else {}
+    return {"world_options": asdict(_configured(name, options)), **known}
 
 
 def default_text(name: str, folder: Path) -> str:

@@ -18,6 +18,7 @@ from fuzz.mutations import KINDS, MUTATIONS, mutated, put
 
 READS = {
     "run": "world.toml manifest.json interactions.npz exploration.safetensors interactions.partial.npz",
+    "see": "world.toml manifest.json",
     "explore": "world.toml manifest.json interactions.npz exploration.safetensors interactions.partial.npz",
     "check": "interactions.npz",
     "train": "interactions.npz manifest.json",

@@ -104,7 +104,7 @@ def test_objects_may_touch_and_stand_on_any_face_and_not_stand_in_each_other(ite
 
 
 def test_world_that_does_not_say_what_it_makes_is_asked_for_goals_and_categories_only():
-    odd = plank("item-01", 0.6, 0.0, features=(9.0, -1.0), orientation=(0.0, 0.0, 0.0, 0.0))
+    odd = plank("item-01", 0.6, 0.0, features=(9.0, -1.0, 0.0, 7.0), orientation=(0.0, 0.0, 0.0, 0.0))
     check(odd, replace(odd, name="item-02"), limits=None)
     with pytest.raises(UnknownChoice, match="no category '7'"):
         check(replace(odd, category="7"), limits=None)

@@ -1,0 +1,1 @@
+"""What is seen of objects: regions of a depth image, and the numbers that an eye tells of them."""

@@ -1,0 +1,197 @@
+"""Objects as a depth image shows them: connected regions above the table.
+
+Nothing here knows what a simulator knows. A region's outline at its top gives heading, size and middle; what
+is around it at each point is its crop.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+from scipy.spatial import ConvexHull
+
+from neurosym.checks import Float, check_array
+from neurosym.errors import InvalidValue
+
+FLOOR = 0.004
+"""What is higher than this above the table belongs to an object [m]."""
+CELLS, CELL = 32, 0.0065
+"""A crop has so many cells a side, each of this length [m]."""
+_AROUND = np.ones((3, 3))  # the pixels around one
+_LEAST = 12  # pixels of a region; what is smaller is noise
+_RIM = 0.004  # what is at most this much lower than the top belongs to the top [m]
+_BAND, _LINES = (
+    0.3,
+    3,
+)  # share of an outline around its middle where its edges are located, and pixels at least
+_BEYOND = 1.5  # an outline that reaches so many pixels further elsewhere is no rectangle
+_WIDER = 2.5  # what reaches so many pixels further than its top is no box
+_STRAIGHTER = 0.97  # an outline lies turned only if its box is smaller than the straight one by this factor
+_THIN = 1e-6  # an outline narrower than this has no hull [m]
+_TURNS = np.radians(np.arange(-45, 45, 0.5))
+
+Crop = Float[np.ndarray, "cells cells"]
+"""Heights above the table around an object's middle, 0 where it is not [m]; rows along its x axis, columns
+along its y axis."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sight:
+    """What a depth camera sees; where it is decides what that means."""
+
+    depths: Float[np.ndarray, "height width"]  #: How far each pixel looks along its ray; NaN where it is lost
+    #: Where each pixel looks, from where the camera is; one of length 1 is as long as a depth of 1 m
+    rays: Float[np.ndarray, "height width 3"]
+    eye: Float[np.ndarray, "3"]  #: Where the camera is [m]
+
+    def __post_init__(self) -> None:
+        check_array("The image", np.nan_to_num(self.depths), (*self.rays.shape[:2],))
+
+    def __getitem__(self, part: tuple[slice, ...]) -> "Sight":
+        return Sight(self.depths[part], self.rays[part], self.eye)
+
+    @property
+    def points(self) -> Float[np.ndarray, "height width 3"]:
+        """Where in the world each pixel looks [m]."""
+        return np.asarray(self.eye + self.depths[..., None] * self.rays)
+
+    def at_height(self, height: float) -> Float[np.ndarray, "height width 2"]:
+        """Return where the ray of each pixel meets the plane at a height [m]."""
+        share = (height - self.eye[2]) / self.rays[..., 2:]
+        return np.asarray(self.eye[:2] + share * self.rays[..., :2])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Region:
+    """An object as it is seen."""
+
+    position: Float[np.ndarray, "3"]  #: Its middle in the world [m]
+    heading: float  #: How far it is turned about the vertical, from -pi/4 to pi/4 [rad]
+    size: Float[np.ndarray, "3"]  #: Along its own x and y axes, and upwards [m]
+    crop: Crop  #: What of it lies where
+    #: Which share of the box around its outline is not filled: 0 of a box, more where it is round or angled,
+    #: or where two objects touch
+    doubt: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class KnownBox:
+    """Where an object is that is known."""
+
+    middle: Float[np.ndarray, "3"]  #: In the world [m]
+    axes: Float[np.ndarray, "3 3"]  #: Its own axes, as columns
+    size: Float[np.ndarray, "3"]  #: Along these [m]
+
+    def holds(self, points: Float[np.ndarray, "*n 3"]) -> np.ndarray:
+        """Say which points [m] belong to it."""
+        own = np.abs((points - self.middle) @ self.axes)
+        return np.asarray(np.all(own <= self.size / 2 + _RIM, axis=-1))
+
+    def top_at(self, x: float, y: float) -> float:
+        """Return how high what stands on it stands at a place; 0 beside it [m]."""
+        high = float(np.abs(self.axes[2]) @ self.size) / 2 + float(self.middle[2])
+        return high if self.holds(np.array([x, y, self.middle[2]])) else 0.0
+
+
+def regions_of(sight: Sight, known: Sequence[KnownBox] = ()) -> list[Region]:
+    """Find the objects in what a camera sees, besides those that are known.
+
+    What stands on a known one is seen from its top upwards.
+
+    Raises:
+        InvalidValue: If no pixel has a depth.
+    """
+    points = sight.points
+    heights = points[..., 2]
+    if not np.isfinite(heights).any():
+        raise InvalidValue("The image is empty: no pixel of it has a depth.")
+    is_high = np.nan_to_num(heights, nan=-1.0) > FLOOR
+    for box in known:
+        is_high &= ~box.holds(points)
+    labels, _ = ndimage.label(is_high | np.isnan(heights), _AROUND)  # lost pixels part nothing
+    found = (
+        _region(sight[box], points[box], (labels[box] == number) & is_high[box], known)
+        for number, box in enumerate(ndimage.find_objects(labels), 1)
+    )
+    return [one for one in found if one is not None]
+
+
+def _region(
+    sight: Sight,
+    points: Float[np.ndarray, "height width 3"],
+    mask: np.ndarray,
+    known: Sequence[KnownBox],
+) -> Region | None:
+    """Describe the object that some pixels show; None if they are too few."""
+    if mask.sum() < _LEAST:
+        return None
+    height = float(np.percentile(points[mask][:, 2], 98))
+    top = np.pad(mask & (np.nan_to_num(points[..., 2]) > height - _RIM), 1)
+    outline = ndimage.binary_fill_holes(ndimage.binary_closing(top, _AROUND))[1:-1, 1:-1]
+    plane = sight.at_height(height)
+    pixel = float(np.median(np.linalg.norm(np.diff(plane, axis=1), axis=-1)))
+    flat, every = plane[outline], points[mask][:, :2]
+    heading = _heading_of(flat if len(flat) >= _LEAST else every)
+    own, whole = _turned(flat, -heading), _turned(every, -heading)
+    if len(flat) < _LEAST or np.any(np.ptp(whole, axis=0) > np.ptp(own, axis=0) + _WIDER * pixel):
+        own = whole  # its top is not all of it, as that of a ball
+    (low_x, high_x), (low_y, high_y) = (_edges(own, axis, pixel) for axis in (0, 1))
+    x, y = _turned(np.array([(low_x + high_x) / 2, (low_y + high_y) / 2]), heading).tolist()
+    below = max((box.top_at(x, y) for box in known), default=0.0)
+    size = np.array([high_x - low_x, high_y - low_y, max(height - below, 0.0)])
+    filled = len(own) * pixel**2 / max(size[0] * size[1], pixel**2)
+    doubt = round(min(1.0, max(0.0, 1 - filled)), 3)
+    middle = np.array([x, y, (below + height) / 2])
+    return Region(middle, heading, size, _crop(points[mask], (x, y), heading), doubt)
+
+
+def _turned(points: Float[np.ndarray, "*n 2"], angle: float) -> Float[np.ndarray, "*n 2"]:
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return np.asarray(points @ np.array([[cosine, sine], [-sine, cosine]]))
+
+
+def _heading_of(outline: Float[np.ndarray, "N 2"]) -> float:
+    """Return how the smallest box around an outline is turned; 0 if a straight one is hardly larger."""
+    corners = outline - outline.mean(0)
+    if np.linalg.eigvalsh(np.cov(corners.T)).min() > _THIN**2:
+        corners = corners[ConvexHull(corners).vertices]
+    cosines, sines = np.cos(_TURNS), np.sin(_TURNS)
+    x, y = corners[:, :1], corners[:, 1:]
+    areas = np.ptp(x * cosines + y * sines, axis=0) * np.ptp(y * cosines - x * sines, axis=0)
+    straight = areas[np.argmin(np.abs(_TURNS))]
+    return float(_TURNS[areas.argmin()]) if areas.min() < _STRAIGHTER * straight else 0.0
+
+
+def _edges(own: Float[np.ndarray, "N 2"], axis: int, pixel: float) -> tuple[float, float]:
+    """Locate both edges of an outline along one of its own axes.
+
+    Each line of pixels across ends somewhere within a pixel of the edge; so the mean over lines is truer than
+    a pixel. Of what is no rectangle it is the outermost.
+    """
+    along, across = own[:, axis], own[:, 1 - axis]
+    middle, reach = (across.min() + across.max()) / 2, np.ptp(across) + pixel
+    band = max(_BAND * reach, _LINES * pixel)
+    lines = np.floor((across - middle + band / 2) / pixel).astype(int)
+    inside = (lines >= 0) & (lines < math.ceil(band / pixel))
+    found = []
+    for sign in (-1, 1):
+        ends = np.full(math.ceil(band / pixel), -np.inf)
+        np.maximum.at(ends, lines[inside], sign * along[inside])
+        ends, outermost = ends[np.isfinite(ends)], float((sign * along).max())
+        edge = float(ends.mean()) + pixel / 2 if len(ends) else outermost
+        found.append(sign * (edge if outermost - edge < _BEYOND * pixel else outermost))
+    return found[0], found[1]
+
+
+def _crop(
+    points: Float[np.ndarray, "N 3"], middle: tuple[float, float], heading: float
+) -> Float[np.ndarray, "cells cells"]:
+    """Return what lies where of an object, seen straight from above, in its own frame."""
+    own = _turned(points[:, :2] - middle, -heading)
+    rows, columns = np.floor(own / CELL + CELLS / 2).astype(int).T
+    crop = np.zeros((CELLS, CELLS))
+    inside = (rows >= 0) & (rows < CELLS) & (columns >= 0) & (columns < CELLS)
+    np.maximum.at(crop, (rows[inside], columns[inside]), points[inside, 2])
+    return crop

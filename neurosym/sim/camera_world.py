@@ -1,0 +1,253 @@
+"""The tabletop as a depth camera sees it: what objects are and where they stand is told from images.
+
+Objects of its scenes have sizes as they are seen, and the numbers by which the eye tells their crops. What
+only the simulator knows goes along as `Scene.unseen`, relative to where an object is seen: nothing but the
+simulator reads it, and an object that is moved by hand takes it along.
+"""
+
+from collections.abc import Container, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, fields, replace
+from functools import cached_property, partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from neurosym.checks import Float
+from neurosym.contract import ObjectLimits, Part, PoseSink
+from neurosym.errors import InvalidValue
+from neurosym.perception.eye import NUMBERS, Eye
+from neurosym.perception.regions import KnownBox, Region, Sight, regions_of
+from neurosym.perception.tracking import track
+from neurosym.sim.config import TabletopConfig
+from neurosym.sim.depth_camera import DepthCamera
+from neurosym.sim.shapes import UNSEEN
+from neurosym.sim.simulation import Simulation
+from neurosym.sim.tabletop import Tabletop
+from neurosym.world import Frame, FrameSink, Outcome, Painter, Reference, Scene, WorldFactory, check_action
+
+SIZES = ("s_x", "s_y", "d")
+"""Features that are seen by plain geometry; networks are not shown them."""
+_FEATURES, _PLACE, _TURN = slice(0, 4), slice(4, 7), slice(7, 11)  # columns of `Scene.unseen`
+_COLUMNS = 11
+_DRAWS = 50  # of scenes, until all objects are told apart
+
+
+@dataclass(frozen=True, slots=True)
+class CameraTableConfig(TabletopConfig):
+    """The options of the tabletop and of the camera over it, as they stand in `world.toml`.
+
+    Attributes:
+        camera: The camera.
+    """
+
+    camera: DepthCamera = field(default_factory=DepthCamera)
+
+    @property
+    def object_limits(self) -> ObjectLimits | None:  # type: ignore[override]
+        """Nothing: what is seen has no limits."""
+        return None
+
+
+class CameraWorld:
+    """The tabletop, whose objects are known by what a camera sees.
+
+    What an action does to its target is told as on the tabletop; where everything stands in the end is
+    looked at again. What is not told apart then is where the hand left it, or where it was.
+
+    Args:
+        config: Its options.
+        eye: File with the eye; one that learned nothing yet if None, which tells nothing.
+    """
+
+    name = "camera"
+    feature_names = (*SIZES, *(f"v{number}" for number in range(1, NUMBERS + 1)))
+    unshown = SIZES
+
+    def __init__(self, config: CameraTableConfig | None = None, eye: Path | None = None):
+        self.config = config or CameraTableConfig()
+        plain = {one.name: getattr(self.config, one.name) for one in fields(TabletopConfig)}
+        self.table_world = Tabletop(TabletopConfig(**plain), self.name)
+        self.config.camera.check_sees(self.config)
+        self._eye_file = eye
+        world = self.table_world
+        self.references, self.turns, self.table = world.references, world.turns, world.table
+        self.action_box, self.lift_height = world.action_box, world.lift_height
+        self.wanted_pictures: Container[int] | None = None
+        self.painter: Painter | None = None
+        self.on_pose: PoseSink | None = None
+
+    @property
+    def blind(self) -> WorldFactory:
+        """What makes the tabletop without a camera."""
+        return partial(Tabletop, self.table_world.config)
+
+    @cached_property
+    def eye(self) -> Eye:
+        """What tells crops in numbers."""
+        if self._eye_file is None or not self._eye_file.is_file():
+            raise InvalidValue("This world has not learned to see yet; `neurosym see DIR` teaches its eye.")
+        return Eye.load(self._eye_file)
+
+    def look(self, scene: Scene) -> list[Region]:
+        """Find the objects of a scene, given as the simulator knows it, before the hand comes."""
+        return regions_of(self.sight_of(scene))
+
+    def sight_of(self, scene: Scene) -> Sight:
+        """Look at a scene, given as the simulator knows it, before the hand comes."""
+        simulation = Simulation(self.table_world.client(), self.table_world.config, scene)
+        simulation.client.removeBody(simulation.table)  # the renderer would take most of its time for it
+        poses = simulation.observe()
+        seed = b"".join(one.tobytes() for one in (scene.features, poses.positions, poses.orientations))
+        return self.config.camera.look(self.table_world.client(), seed)
+
+    def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
+        """Draw objects at rest, all of which are told apart (see `World.sample_scene`)."""
+        for _ in range(_DRAWS):
+            scene = self.table_world.sample_scene(rng, objects)
+            if (seen := self.seen(scene)) is not None:
+                return seen
+        raise InvalidValue(f"{objects} objects cannot be told apart on the table; ask for fewer.")
+
+    def seen(self, scene: Scene) -> Scene | None:
+        """Return a scene of the tabletop as it is seen; None if objects are not told apart."""
+        found = self.look(scene)
+        if len(found) != len(scene):
+            return None
+        nearest = [
+            int(np.argmin(np.linalg.norm(self._spots(found) - at[:2], axis=1))) for at in scene.positions
+        ]
+        if len({*nearest}) != len(scene):
+            return None
+        shown = [found[number] for number in nearest]
+        features = np.array([[*one.size, *self.eye.tell(one.crop)] for one in shown])
+        turns = Rotation.from_euler("z", [[one.heading] for one in shown]).as_quat(canonical=True)
+        return _with_truth(Scene(features, np.array([one.position for one in shown]), turns), scene)
+
+    def interact(
+        self,
+        scene: Scene,
+        action: Float[np.ndarray, "A"],
+        target: int,
+        *,
+        put_down: bool = True,
+        on_frame: FrameSink | None = None,
+        ghosts: Float[np.ndarray, "M 3"] | None = None,
+        reference: Reference | None = None,
+    ) -> Outcome:
+        """Perform one action, and look again (see `World.interact`)."""
+        check_action(self, scene, action, target, reference)
+        with self._like_mine(scene) as world:
+            done = world.interact(
+                _truth(scene),
+                action,
+                target,
+                put_down=put_down,
+                on_frame=on_frame,
+                ghosts=ghosts,
+                reference=reference,
+            )
+        lifted = _moved(scene, done.start, done.lifted)  # as the joints of the arm say
+        is_at_rest = put_down or not done.held
+        end = self._seen_again(scene, done) if is_at_rest else lifted
+        return replace(done, start=scene, lifted=lifted if done.held else end, end=end)
+
+    def _seen_again(self, scene: Scene, done: Outcome) -> Scene:
+        """Return where objects are seen after an interaction."""
+        still = np.all(done.start.positions == done.end.positions) and np.all(
+            done.start.orientations == done.end.orientations
+        )
+        if still:
+            return scene
+        positions, orientations, target = scene.positions.copy(), scene.orientations.copy(), done.target
+        if done.held or done.carried:  # where the hand left it, as its joints say
+            way = done.end.positions[target] - done.start.positions[target]
+            turns = [Rotation.from_quat(one.orientations[target]) for one in (done.start, done.end)]
+            (yaw,) = Rotation.from_euler("z", [[(turns[1] * turns[0].inv()).as_euler("zyx")[0]]])
+            positions[target] += way
+            orientations[target] = (yaw * Rotation.from_quat(orientations[target])).as_quat(canonical=True)
+        sizes = scene.features[:, : len(SIZES)]
+        sight = self.sight_of(done.end)
+        told = track(regions_of(sight), sizes, positions, orientations, target=target)
+        if len(scene) > 1 and not told.is_seen[target]:  # perhaps it touches one of the others
+            axes = Rotation.from_quat(told.orientations).as_matrix()
+            boxes = [KnownBox(*one) for one in zip(told.positions, axes, sizes, strict=True)]
+            one, others = slice(target, target + 1), [*boxes[:target], *boxes[target + 1 :]]
+            again = track(regions_of(sight, others), sizes[one], positions[one], orientations[one], target=0)
+            told.positions[target], told.orientations[target] = again.positions[0], again.orientations[0]
+        return _with_truth(Scene(scene.features, told.positions, told.orientations), done.end)
+
+    def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
+        """Draw a scene without the arm (see `Pictured.picture`)."""
+        with self._like_mine(scene) as world:
+            return world.picture(_truth(scene), ghosts)
+
+    def object_parts(self, features: Float[np.ndarray, "F"], *unseen: Sequence[float]) -> tuple[Part, ...]:
+        """Return what an object is drawn with: as it is, or else a box of the sizes that are seen."""
+        if unseen and unseen[0]:
+            known = np.array(unseen[0])
+            return self.table_world.object_parts(known[_FEATURES], *([known[_COLUMNS:].tolist()]))
+        return self.table_world.object_parts(np.array([*features[:3], 0.0]))
+
+    @contextmanager
+    def _like_mine(self, scene: Scene) -> Iterator[Tabletop]:
+        """Give the tabletop for a while what was set here; colours are by what is seen."""
+        world = self.table_world
+        world.wanted_pictures, world.on_pose = self.wanted_pictures, self.on_pose
+        painter = self.painter
+        world.painter = None if painter is None else lambda _: painter(scene.features)
+        try:
+            yield world
+        finally:
+            world.wanted_pictures = world.on_pose = world.painter = None
+
+    def __getattr__(self, name: str) -> Any:
+        """Give what else the tabletop has."""
+        if name.startswith("_") or name == "object_limits":
+            raise AttributeError(name)
+        return getattr(self.table_world, name)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return CameraWorld, (self.config, self._eye_file)
+
+    @staticmethod
+    def _spots(found: Sequence[Region]) -> Float[np.ndarray, "N 2"]:
+        return np.array([one.position[:2] for one in found]).reshape(-1, 2)
+
+
+def _with_truth(seen: Scene, truth: Scene) -> Scene:
+    """Add to what is seen what only the simulator knows, relative to that."""
+    turns = Rotation.from_quat(seen.orientations)
+    places = turns.inv().apply(truth.positions - seen.positions)
+    relative = (turns.inv() * Rotation.from_quat(truth.orientations)).as_quat(canonical=True)
+    unseen = np.column_stack([truth.features, places, relative, truth.unseen])
+    return replace(seen, unseen=unseen)
+
+
+def _truth(scene: Scene) -> Scene:
+    """Return a scene as the simulator knows it.
+
+    Raises:
+        InvalidValue: If it does not say what only the simulator knows.
+    """
+    known = scene.unseen
+    if known.shape[1] not in (_COLUMNS, _COLUMNS + len(UNSEEN)):
+        raise InvalidValue(
+            "The scene does not say what a camera sees; take one that a domain with a camera drew."
+        )
+    turns = Rotation.from_quat(scene.orientations)
+    return Scene(
+        features=known[:, _FEATURES],
+        positions=scene.positions + turns.apply(known[:, _PLACE]),
+        orientations=(turns * Rotation.from_quat(known[:, _TURN])).as_quat(),
+        unseen=known[:, _COLUMNS:],
+    )
+
+
+def _moved(scene: Scene, start: Scene, end: Scene) -> Scene:
+    """Return where objects are that were seen somewhere, after they moved from one pose to another."""
+    turns = Rotation.from_quat(end.orientations) * Rotation.from_quat(start.orientations).inv()
+    moved = (turns * Rotation.from_quat(scene.orientations)).as_quat(canonical=True)
+    return _with_truth(Scene(scene.features, scene.positions + end.positions - start.positions, moved), end)

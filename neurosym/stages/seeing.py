@@ -1,0 +1,129 @@
+"""The stage that teaches an eye: random actions, and what their targets looked like before."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.ndimage import zoom
+
+from neurosym.checks import check_count
+from neurosym.data.foreign_tables import read_images, read_interactions
+from neurosym.data.interactions import Interactions
+from neurosym.errors import InvalidValue
+from neurosym.perception.regions import CELLS
+from neurosym.primitives.ledger import Ledger
+from neurosym.stages import layout
+from neurosym.stages.console import progress_bar
+from neurosym.stages.folder import Claim, DomainFolder, Stage, versions
+from neurosym.worlds.workers import Task, check_workers
+from neurosym.worlds.world_file import read_world, sees
+
+if TYPE_CHECKING:
+    from neurosym.perception.eye import Eye
+
+ACTED, LOOKED = 2000, 4000
+"""From so many random actions an eye learns, and from so many objects besides that it only looks at."""
+_HIGHEST = 0.1  # images of a user's own are scaled to so much, as crops are high [m]
+_STREAM = 0x736565  # keeps their draws apart from others
+
+
+def seen_in(
+    path: Path, columns: Path | None, note: Callable[[str], None]
+) -> tuple[Interactions, "Eye | None"]:
+    """Read a table of a user's own; of one with images, with what an eye tells of these, and that eye.
+
+    The eye is taught on the table itself.
+
+    Raises:
+        InvalidFile: If the table cannot be read.
+        InvalidData: If what it holds cannot be learned from.
+    """
+    if (images := read_images(path)) is None:
+        return read_interactions(path, columns, note), None
+    from neurosym.learning.eye_lesson import teach
+
+    data = read_interactions(path, columns, lambda _: None, told=np.zeros((len(images), 1)))
+    crops = zoom(images, (1, CELLS / images.shape[1], CELLS / images.shape[2]), order=1)
+    crops *= _HIGHEST / np.abs(crops).max()
+    with progress_bar("learning to see") as advance:
+        eye = teach(
+            crops,
+            data,
+            crops[:0],
+            seed=0,
+            progress=lambda stage, share: advance(round(100 * share), 100, stage),
+        )
+    told = np.array([eye.tell(crop) for crop in crops])
+    return read_interactions(path, columns, note, told=told), eye
+
+
+def seen_ledger(folder: DomainFolder, workers: int = 1) -> Ledger:
+    """Open what was performed for the eye of a folder to learn from; see `Ledger`."""
+    name, options = read_world(folder.require(layout.WORLD)).args
+    return Ledger(folder / layout.SEEN, {"world": name, **options, "versions": versions()}, workers)
+
+
+def see_stage(
+    folder: DomainFolder, *, acted: int = ACTED, looked: int = LOOKED, seed: int, workers: int
+) -> Stage:
+    """Teach the eye of a world that sees: `world.toml` -> `eye.safetensors`, and what it learned from.
+
+    Args:
+        folder: The domain folder.
+        acted: How many random actions it learns from.
+        looked: How many objects it looks at besides.
+        seed: Where all draws start.
+        workers: How many processes act; their number changes nothing.
+    """
+    check_count("interactions", acted, 20)
+    check_count("looks", looked, 0)
+    check_workers(workers)
+
+    def work() -> None:
+        from neurosym.exploration.loop import origin_of_world
+        from neurosym.learning.eye_lesson import teach
+
+        path = folder.require(layout.WORLD)
+        if not sees(path):
+            raise InvalidValue(
+                f"{path} names a world without a camera; `neurosym init DIR --world camera` makes one with."
+            )
+        factory = read_world(path)
+        world: Any = factory()
+        scenes, crops = list[Any](), list[np.ndarray]()
+        with progress_bar("looking at objects") as advance:
+            for number in range(acted + looked):
+                scene, crop = _drawn(world, seed, number)
+                crops.append(crop)
+                scenes += [scene] if number < acted else []
+                advance(number + 1, acted + looked)
+        drawn = (np.random.default_rng([seed, _STREAM, number, 1]) for number in range(acted))
+        actions = np.array([world.action_box.sample(rng, 1)[0] for rng in drawn]).astype(np.float32)
+        tasks = [Task(scene, action) for scene, action in zip(scenes, actions, strict=True)]
+        ledger = seen_ledger(folder, workers)
+        with progress_bar("acting to learn to see") as advance:
+            outcomes = ledger.perform(world.blind, tasks, "seen", advance)
+        done = Interactions.from_outcomes(outcomes, actions, origin_of_world(world.table_world))
+        shown = np.array(crops).astype(np.float32)
+        with progress_bar("learning to see") as advance:
+            eye = teach(
+                shown[:acted],
+                done,
+                shown[acted:],
+                seed=seed,
+                progress=lambda stage, share: advance(round(100 * share), 100, stage),
+            )
+        eye.save(folder / layout.EYE)
+
+    options = {"interactions": acted, "looks": looked, "seed": seed}
+    return Stage("see", (layout.WORLD,), (layout.EYE,), work, options, Claim.ALONE)
+
+
+def _drawn(world: Any, seed: int, number: int) -> tuple[Any, np.ndarray]:
+    """Draw an object, and look at it; one that is not seen as one object is drawn again."""
+    rng = np.random.default_rng([seed, _STREAM, number])
+    while True:
+        scene = world.table_world.sample_scene(rng, 1)
+        if len(found := world.look(scene)) == 1:
+            return scene, found[0].crop

@@ -1,0 +1,140 @@
+"""What is lost where objects are seen, not known? `make evaluate-camera`, into docs/results/camera.*.
+
+The same is learned from true features and from what a camera sees, and tried on the same kinds of tasks.
+"""
+
+import shutil
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any
+from unittest.mock import patch
+
+import numpy as np
+
+from neurosym.commands.pipeline import run
+from neurosym.evaluation.comparison import Bench
+from neurosym.files import read_json
+from neurosym.learning.training import TrainingReport
+from neurosym.operators import TOLERANCE
+from neurosym.problems import Problem
+from neurosym.sim.camera_world import CameraWorld
+from neurosym.sim.shapes import FEATURE_NAMES
+from neurosym.stages import layout
+from neurosym.stages.folder import DomainFolder
+from neurosym.stages.learning import AIMS, ledger_of
+from neurosym.stages.rounds import explored_in
+from neurosym.world import Scene
+from tools.benchmarks import options
+from tools.benchmarks.camera import seeing
+from tools.benchmarks.camera.summary import page, summarise
+from tools.benchmarks.carrying.tasks import is_graspable
+from tools.benchmarks.domains import bench_of
+from tools.benchmarks.jobs import Evaluation, Jobs, cpu_seconds
+from tools.benchmarks.planning import measures
+from tools.benchmarks.planning.jobs import blocks
+from tools.benchmarks.planning.trials import tried
+
+FIRST_TASK = 840_000  # seed of the first task, far from those of other evaluations
+WORLDS = {"features": "tabletop", "images": "camera"}
+CELLS = {"single": (1, 50), "far-1": (1, 20), "far-4": (4, 20)}
+"""What is tried: objects of a task, and how many tasks for each seed."""
+INTERACTIONS = 6000
+"""So many are performed at most, besides those that teach an eye."""
+KEPT = (layout.WORLD, layout.EYE, layout.MODEL, layout.TRAINING, layout.GROUNDING, layout.BUDGET)
+NOISY = "noisy"
+TRUE = len(FEATURE_NAMES)
+"""So many of the numbers that only the simulator knows of an object are its true features."""
+_BLOCK = 10
+
+
+def main(
+    seeds: options.Seeds = 3,
+    scale: options.Scale = 1.0,
+    work: options.Work = Path("evaluation/camera"),
+    results: options.Results = options.RESULTS,
+    workers: options.Workers = options.CORES,
+) -> None:
+    """See, learn, try, and write what came of it."""
+    evaluation = Evaluation("camera", work, results, workers)
+
+    def report() -> None:
+        summary = summarise(evaluation.found())
+        evaluation.write(summary, page(summary))
+
+    looks: Jobs = {f"seen-{name}": partial(seeing.errors, name) for name in seeing.CAMERAS}
+    evaluation.perform(looks, "looking", report)
+    if not (work / "crops.npz").exists():
+        evaluation.path("crops").unlink(missing_ok=True)
+    evaluation.perform({"crops": partial(seeing.draw_crops, work)}, "looking at what was explored")
+    same: Jobs = {f"same-{seed}": partial(seeing.compare, work, seed) for seed in range(1, seeds + 3)}
+    evaluation.perform(same, "training on the same interactions", report, fresh=True)
+    for seed in range(1, seeds + 1):
+        learning: Jobs = {f"learn-{kind}-{seed}": partial(learn, work, kind, seed) for kind in WORLDS}
+        evaluation.perform(learning, f"learning with seed {seed}", report, fresh=True)
+        both = (work / f"{kind}-{seed}" for kind in WORLDS)
+        trying: Jobs = {f"agree-{seed}": partial(seeing.agree, *both)}
+        for kind in (*WORLDS, NOISY):
+            for cell, (objects, count) in CELLS.items():
+                if kind != NOISY or cell == "single":
+                    for block in blocks(options.scaled(scale, count), _BLOCK):
+                        name = f"try-{kind}-{seed}-{cell}-{block.start}"
+                        trying[name] = partial(attempt, work, kind, seed, cell, objects, block)
+        evaluation.perform(trying, f"tasks with seed {seed}", report)
+    report()
+
+
+def learn(work: Path, kind: str, seed: int) -> dict[str, Any]:
+    """Learn a domain by one command, and keep what it takes to try it; say what that took."""
+    begin, folder, copy = cpu_seconds(), work / f"{kind}-run-{seed}", work / f"{kind}-{seed}"
+    run(folder, world=WORLDS[kind], seed=seed, interactions=INTERACTIONS, workers=1, problems=0)
+    cpu, domain = cpu_seconds() - begin, DomainFolder(folder)
+    for name in (*KEPT, layout.PLACE_OPERATORS):
+        if (folder / name).exists():
+            (copy / name).parent.mkdir(exist_ok=True, parents=True)
+            shutil.copy(folder / name, copy / name)
+    if kind == "images":
+        noisy = work / f"{NOISY}-{seed}"
+        shutil.copytree(copy, noisy, dirs_exist_ok=True)
+        text = (copy / layout.WORLD).read_text()
+        for name in ("depth_step", "dropout", "offset"):
+            text = text.replace(f"{name} = 0.0", f"{name} = {getattr(seeing.NOISE, name)}")
+        (noisy / layout.WORLD).write_text(text)
+    report = read_json(folder / layout.TRAINING, TrainingReport)
+    return {
+        "cpu": cpu,
+        "interactions": explored_in(domain).total() + sum(len(ledger_of(domain, aim)) for aim in AIMS),
+        "kinds": measures.kinds(folder) or [],
+        "r2": report.r2_through_codes,
+        "direct_r2": report.r2_direct,
+    }
+
+
+def attempt(work: Path, kind: str, seed: int, cell: str, objects: int, block: Sequence[int]) -> list[Any]:
+    """Try tasks, blindly and with replanning."""
+    bench, first = bench_of(work / f"{kind}-{seed}"), FIRST_TASK + 1000 * seed
+    drawn = (draw(bench, cell, objects, first + number) for number in block)
+    return tried(bench.setting, drawn, time_limit=measures.TIME_LIMIT)
+
+
+def draw(bench: Bench, cell: str, objects: int, seed: int) -> Problem:
+    """Draw a task; objects with goals anywhere are such that a person finds a grasp for."""
+    if cell == "single":
+        return bench.draw(objects, seed, TOLERANCE)
+    world, known = bench.setting.world, dict[bytes, np.ndarray]()
+    drawn = world.sample_scene
+
+    def remembered(rng: np.random.Generator, objects: int) -> Scene:
+        scene = drawn(rng, objects)
+        truth = scene.unseen[:, :TRUE] if isinstance(world, CameraWorld) else scene.features
+        known.update(zip(map(np.ndarray.tobytes, scene.features), truth, strict=True))
+        return scene
+
+    with patch.object(world, "sample_scene", remembered):
+        return bench.draw(
+            objects, seed, TOLERANCE, "anywhere", lambda features: is_graspable(known[features.tobytes()])
+        )
+
+
+if __name__ == "__main__":
+    options.begin(main)
