@@ -36,7 +36,7 @@ from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
 from neurosym.stages.rounds import Recipe, Round, Share, budget_of, explored_in, grow, perform, rounds
-from neurosym.stages.seeing import see_stage, seen_ledger
+from neurosym.stages.seeing import see_stage
 from neurosym.stages.verdicts import Tries, judge_domain, judge_tries, worst
 from neurosym.world import World, references_of
 from neurosym.worlds.world_file import read_world, sees
@@ -102,9 +102,9 @@ def run(
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = explored_in(domain)[layout.OBJECTS] or None
     known = read_world(domain.require(layout.WORLD))()
-    if sees(domain / layout.WORLD):
-        perform(domain, see_stage(domain, seed=seed, workers=workers))
     plan = _plan(domain, known, interactions, steps, places, relations, operators)
+    if sees(domain / layout.WORLD) and not (domain / layout.EYE).exists():
+        perform(domain, see_stage(domain, seed=seed, workers=workers))
     recipe = Recipe(strategy, regime, choice, rehearsals, seed, workers, bits)
     grow(domain, plan, recipe, is_open=interactions is not None or steps is None)
     tried = [_try_problem(domain, number, seed) for number in range(1, problems + 1)]
@@ -189,8 +189,8 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
     for aim in AIMS:
         purposes += ledger_of(folder, aim).purposes
     learned = purposes.total()
-    if sees(folder / layout.WORLD):
-        purposes += seen_ledger(folder).purposes
+    if see := folder.manifest().stages.get("see"):
+        purposes["seen"] = see.options["interactions"]
     if learned >= (total := budget_of(folder).total):  # all is kept that was performed
         told = ", ".join(f"{count} {purpose}" for purpose, count in purposes.items())
         say(f"{counted(purposes.total(), 'interaction')}: {told}")

@@ -106,6 +106,14 @@ def read_interactions(
     """
     table, mapping = _read(path), _mapping(columns) if columns else Roles()
     if told is not None:
+        rows, names = (
+            len(next(iter(table.values()))),
+            [f"feature.{_TOLD}{n + 1}" for n in range(told.shape[1])],
+        )
+        if rows != len(told):
+            raise InvalidFile(path, f"it has {len(told)} images and {rows} rows; valid: one for each")
+        if taken := next((name for name in names if name in table), None):
+            raise InvalidFile(path, f"a column is called {taken}, as what is told of its images; rename it")
         table = {**table, **{f"feature.{_TOLD}{n}": column for n, column in enumerate(told.T, start=1)}}
     if not any(getattr(mapping, role) for role in _ASKED):
         given = {"axes": mapping.axes, "names": mapping.names, "origin": mapping.origin}
@@ -114,7 +122,7 @@ def read_interactions(
         seen = tuple(f"feature.{_TOLD}{n}" for n in range(1, told.shape[1] + 1))
         mapping = msgspec.structs.replace(mapping, features=(*mapping.features, *seen))
     if told is not None and mapping.episode:
-        raise InvalidFile(path, "it has images, and episodes in place of effects; valid: effects, or after")
+        raise InvalidFile(path, "it has images, and episodes in place of effects; valid: effects")
     with blaming(columns or path):
         arrays, origin = _gathered(*_paired(table, mapping))
     if unread := [shortened(name) for name in table if name not in _read_by(mapping)]:

@@ -402,6 +402,8 @@ def model_misfit(dimensions: Dimensions, columns: Columns, origin: Mapping[str, 
     takes = {name: getattr(dimensions, name) for name in REQUIRED}
     if takes != (has := _widths(columns)):
         return f"it was trained on {_counted(takes)}, and the data have {_counted(has)}; train it again"
+    if list(dimensions.unshown) != list(origin.get("unshown", ())):
+        return "it was shown other features than the data show; train it again"
     grippers, theirs = list(dimensions.gripper_columns), list(origin.get("gripper_columns", ()))
     if sorted(grippers) == sorted(theirs):
         return None

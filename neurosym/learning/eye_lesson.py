@@ -15,6 +15,7 @@ from torch.nn import functional
 from neurosym.checks import Float
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import Dimensions
+from neurosym.errors import InvalidValue
 from neurosym.learning.losses import FitProgress, Samples, reproducible, run_epochs, samples_of, squared_error
 from neurosym.learning.network import DirectModel, tensor
 from neurosym.learning.training_config import DirectConfig, check_positive
@@ -81,6 +82,9 @@ def teach(
         seed: Where all draws start.
         config: How it learns.
         progress: Called with what is done and the share of it that is done.
+
+    Raises:
+        InvalidValue: If all crops look the same.
     """
     config, samples = config or LessonConfig(), samples_of(interactions)
     outcomes = torch.cat([samples.effects, samples.peaks[:, None]], dim=1)
@@ -88,6 +92,8 @@ def teach(
     sizes = Dimensions(NUMBERS, samples.actions.shape[1], samples.effects.shape[1], grippers)
     shown, drawn = tensor(crops), tensor(np.concatenate([crops, looks]))
     spread = (DEEP * drawn).var(0).mean()
+    if not spread > 0:
+        raise InvalidValue("All crops look the same, so that nothing can be learned from them.")
     with reproducible(seed) as generator:
         eye, foretold = _Eye(), DirectModel(sizes, DirectConfig())
         foretold.set_scale(outcomes, samples.mirrored_axes)

@@ -57,6 +57,12 @@ class Sight:
         """Where in the world each pixel looks [m]."""
         return np.asarray(self.eye + self.depths[..., None] * self.rays)
 
+    @property
+    def pixel(self) -> float:
+        """How far apart pixels next to each other look, 1 m below the camera, in the median [m]."""
+        below = self.rays[..., :2] / -self.rays[..., 2:]
+        return float(np.median(np.linalg.norm(np.diff(below, axis=1), axis=-1)))
+
     def at_height(self, height: float) -> Float[np.ndarray, "height width 2"]:
         """Return where the ray of each pixel meets the plane at a height [m]."""
         share = (height - self.eye[2]) / self.rays[..., 2:]
@@ -95,10 +101,14 @@ class KnownBox:
         return high if self.holds(np.array([x, y, self.middle[2]])) else 0.0
 
 
-def regions_of(sight: Sight, known: Sequence[KnownBox] = ()) -> list[Region]:
-    """Find the objects in what a camera sees, besides those that are known.
+def regions_of(sight: Sight, known: Sequence[KnownBox] = (), *, top: float | None = None) -> list[Region]:
+    """Find the objects in what a camera sees.
 
-    What stands on a known one is seen from its top upwards.
+    Args:
+        sight: What it sees.
+        known: Objects that are left out. What stands on one is seen from its top upwards.
+        top: Only what is as high above the table as this is looked at, if given [m]: of objects that touch,
+            and are not of one height, each is found so.
 
     Raises:
         InvalidValue: If no pixel has a depth.
@@ -110,9 +120,12 @@ def regions_of(sight: Sight, known: Sequence[KnownBox] = ()) -> list[Region]:
     is_high = np.nan_to_num(heights, nan=-1.0) > FLOOR
     for box in known:
         is_high &= ~box.holds(points)
+    if top is not None:
+        is_high &= np.abs(np.nan_to_num(heights) - top) < _RIM
     labels, _ = ndimage.label(is_high | np.isnan(heights), _AROUND)  # lost pixels part nothing
+    pixel = sight.pixel
     found = (
-        _region(sight[box], points[box], (labels[box] == number) & is_high[box], known)
+        _region(sight[box], points[box], (labels[box] == number) & is_high[box], known, pixel)
         for number, box in enumerate(ndimage.find_objects(labels), 1)
     )
     return [one for one in found if one is not None]
@@ -123,6 +136,7 @@ def _region(
     points: Float[np.ndarray, "height width 3"],
     mask: np.ndarray,
     known: Sequence[KnownBox],
+    pixel: float,
 ) -> Region | None:
     """Describe the object that some pixels show; None if they are too few."""
     if mask.sum() < _LEAST:
@@ -130,8 +144,7 @@ def _region(
     height = float(np.percentile(points[mask][:, 2], 98))
     top = np.pad(mask & (np.nan_to_num(points[..., 2]) > height - _RIM), 1)
     outline = ndimage.binary_fill_holes(ndimage.binary_closing(top, _AROUND))[1:-1, 1:-1]
-    plane = sight.at_height(height)
-    pixel = float(np.median(np.linalg.norm(np.diff(plane, axis=1), axis=-1)))
+    plane, pixel = sight.at_height(height), pixel * (float(sight.eye[2]) - height)
     flat, every = plane[outline], points[mask][:, :2]
     heading = _heading_of(flat if len(flat) >= _LEAST else every)
     own, whole = _turned(flat, -heading), _turned(every, -heading)

@@ -138,6 +138,10 @@ class Ledger:
             "peaks": np.array([one.peak_height for one in outcomes]),
             **{name: np.concatenate([one[name] for one in self._objects]) for name in _OBJECT_COLUMNS},
         }
+        if most := max(one[_UNSEEN].shape[2] for one in self._objects):
+            wider = [((0, 0), (0, 0), (0, most - one[_UNSEEN].shape[2])) for one in self._objects]
+            rows = [np.pad(one[_UNSEEN], by) for one, by in zip(self._objects, wider, strict=True)]
+            tensors[_UNSEEN] = np.concatenate(rows)
         with at_once():
             write_tensors(self.path, FORMAT, tensors, {"of": self.of, "purposes": names})
 
@@ -147,7 +151,9 @@ class Ledger:
             return
         try:
             names, ends = description["purposes"], np.cumsum(tensors["counts"])[:-1]
-            objects = {name: np.split(tensors[name], ends) for name in _OBJECT_COLUMNS}
+            nothing = np.zeros((len(tensors["features"]), len(_SCENES), 0))
+            tensors = {_UNSEEN: nothing, **tensors}
+            objects = {name: np.split(tensors[name], ends) for name in (*_OBJECT_COLUMNS, _UNSEEN)}
             for number, key in enumerate(tensors["keys"]):
                 mine = {name: rows[number] for name, rows in objects.items()}
                 outcome = _outcome({name: tensors[name][number] for name in _COLUMNS}, mine)
@@ -160,6 +166,7 @@ class Ledger:
 _FLAGS = "held", "toppled", "lost", "carried"
 _SCENES = "start", "lifted", "end"
 _COLUMNS = "targets", "references", "flags", "peaks"
+_UNSEEN = "unseen"  # of each object, at each of the three moments; not written if there is nothing
 _OBJECT_COLUMNS = "features", *_SCENES, "touched", "disturbed", "contacts"
 
 
@@ -188,6 +195,7 @@ def _objects(outcome: Outcome) -> dict[str, np.ndarray]:
         "touched": np.isin(np.arange(count), outcome.touched).astype(np.uint8),
         "disturbed": np.array([_DISTURBED.index(disturbed.get(n, "")) for n in range(count)], dtype=np.uint8),
         "contacts": np.packbits(padded, axis=1),
+        _UNSEEN: np.stack([one.unseen for one in scenes.values()], axis=1),
     }
 
 
@@ -198,7 +206,10 @@ def _outcome(row: dict[str, Any], objects: dict[str, np.ndarray]) -> Outcome:
     held, toppled, lost, carried = row["flags"].astype(bool).tolist()
     reference = (None, Place(*where), OtherObject(int(where[0])))[int(kind)] if kind else None
     touching = np.unpackbits(objects["contacts"], axis=1)[:, : len(features)]
-    start, lifted, end = (Scene(features, objects[one][:, :3], objects[one][:, 3:]) for one in _SCENES)
+    start, lifted, end = (
+        Scene(features, objects[one][:, :3], objects[one][:, 3:], unseen=objects[_UNSEEN][:, number])
+        for number, one in enumerate(_SCENES)
+    )
     return Outcome(
         start=start,
         lifted=lifted,

@@ -17,13 +17,13 @@ from scipy.spatial.transform import Rotation
 
 from neurosym.checks import Float
 from neurosym.contract import ObjectLimits, Part, PoseSink
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, InvalidWorld, quoted
 from neurosym.perception.eye import NUMBERS, Eye
 from neurosym.perception.regions import KnownBox, Region, Sight, regions_of
-from neurosym.perception.tracking import track
+from neurosym.perception.tracking import Tracked, track
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.depth_camera import DepthCamera
-from neurosym.sim.shapes import UNSEEN
+from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP, SOLID, UNSEEN
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import Frame, FrameSink, Outcome, Painter, Reference, Scene, WorldFactory, check_action
@@ -32,6 +32,7 @@ SIZES = ("s_x", "s_y", "d")
 """Features that are seen by plain geometry; networks are not shown them."""
 _FEATURES, _PLACE, _TURN = slice(0, 4), slice(4, 7), slice(7, 11)  # columns of `Scene.unseen`
 _COLUMNS = 11
+_OFF_UNIT = 0.01  # how far from 1 the length of a quaternion may be
 _DRAWS = 50  # of scenes, until all objects are told apart
 
 
@@ -88,7 +89,8 @@ class CameraWorld:
     def eye(self) -> Eye:
         """What tells crops in numbers."""
         if self._eye_file is None or not self._eye_file.is_file():
-            raise InvalidValue("This world has not learned to see yet; `neurosym see DIR` teaches its eye.")
+            folder = quoted(self._eye_file.parent) if self._eye_file else "DIR"
+            raise InvalidValue(f"This world has not learned to see yet; `neurosym see {folder}` teaches it.")
         return Eye.load(self._eye_file)
 
     def look(self, scene: Scene) -> list[Region]:
@@ -171,13 +173,38 @@ class CameraWorld:
         sizes = scene.features[:, : len(SIZES)]
         sight = self.sight_of(done.end)
         told = track(regions_of(sight), sizes, positions, orientations, target=target)
-        if len(scene) > 1 and not told.is_seen[target]:  # perhaps it touches one of the others
-            axes = Rotation.from_quat(told.orientations).as_matrix()
-            boxes = [KnownBox(*one) for one in zip(told.positions, axes, sizes, strict=True)]
-            one, others = slice(target, target + 1), [*boxes[:target], *boxes[target + 1 :]]
-            again = track(regions_of(sight, others), sizes[one], positions[one], orientations[one], target=0)
-            told.positions[target], told.orientations[target] = again.positions[0], again.orientations[0]
-        return _with_truth(Scene(scene.features, told.positions, told.orientations), done.end)
+        return _with_truth(self._told_apart(scene, sight, told, target), done.end)
+
+    @staticmethod
+    def _told_apart(scene: Scene, sight: Sight, told: Tracked, target: int) -> Scene:
+        """Look once more at objects that are not told apart, since they touch others.
+
+        First all that belongs to those that are seen is left out. Then each is sought by its height. At last
+        the target is sought with the others where they were.
+        """
+        sizes, seen = scene.features[:, : len(SIZES)], [*told.is_seen]
+        positions, orientations = told.positions.copy(), told.orientations.copy()
+
+        def box(number: int) -> KnownBox:
+            axes = Rotation.from_quat(orientations[number]).as_matrix()
+            return KnownBox(positions[number], axes, sizes[number])
+
+        def seek(number: int, others: Sequence[int], top: float | None) -> None:
+            if seen[number]:
+                return
+            one = slice(number, number + 1)
+            found = regions_of(sight, [box(other) for other in others if other != number], top=top)
+            again = track(found, sizes[one], positions[one], orientations[one], target=0)
+            if again.is_seen[0]:
+                positions[one], orientations[one], seen[number] = again.positions, again.orientations, True
+
+        every = range(len(scene))
+        for by_height in (False, True):
+            for number in every:
+                top = positions[number, 2] + float(np.abs(box(number).axes[2]) @ sizes[number]) / 2
+                seek(number, [other for other in every if seen[other]], top if by_height else None)
+        seek(target, every, None)
+        return Scene(scene.features, positions, orientations)
 
     def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
         """Draw a scene without the arm (see `Pictured.picture`)."""
@@ -202,6 +229,18 @@ class CameraWorld:
             yield world
         finally:
             world.wanted_pictures = world.on_pose = world.painter = None
+
+    def robot_parts(self) -> tuple[Part, ...]:
+        """Return what the arm is drawn with (see `Posed.robot_parts`)."""
+        return self.table_world.robot_parts()
+
+    def robot_at_rest(self) -> Float[np.ndarray, "L 7"]:
+        """Return the poses of the arm's links while it waits (see `Posed.robot_at_rest`)."""
+        return self.table_world.robot_at_rest()
+
+    def open_window(self) -> None:
+        """Show everything that happens from now on live in a window (see `Windowed.open_window`)."""
+        self.table_world.open_window()
 
     def __getattr__(self, name: str) -> Any:
         """Give what else the tabletop has."""
@@ -230,13 +269,22 @@ def _truth(scene: Scene) -> Scene:
     """Return a scene as the simulator knows it.
 
     Raises:
-        InvalidValue: If it does not say what only the simulator knows.
+        InvalidWorld: If it does not say what only the simulator knows, or what cannot be.
     """
-    known = scene.unseen
-    if known.shape[1] not in (_COLUMNS, _COLUMNS + len(UNSEEN)):
-        raise InvalidValue(
-            "The scene does not say what a camera sees; take one that a domain with a camera drew."
-        )
+    known, lengths = scene.unseen, np.linalg.norm
+    fits = known.shape[1] in (_COLUMNS, _COLUMNS + len(UNSEEN)) and bool(np.isfinite(known).all())
+    turns_are = fits and np.all(np.abs(lengths(known[:, _TURN], axis=1) - 1) < _OFF_UNIT)
+    if not turns_are or not np.all(np.abs(lengths(scene.orientations, axis=1) - 1) < _OFF_UNIT):
+        said = "does not know what its camera sees in the scene; take one that this domain drew"
+        raise InvalidWorld(CameraWorld.name, said)
+    limits = TabletopConfig().object_limits
+    try:
+        for row in known.tolist():
+            if min(row[:3]) <= 0 or row[3] not in (SOLID, OPEN_TOP, OPEN_THROUGH):
+                raise InvalidValue(f"an object has the true features {row[_FEATURES]}, which none has")
+            limits.check_unseen("An object of the scene", row[_COLUMNS:])
+    except InvalidValue as error:
+        raise InvalidWorld(CameraWorld.name, f"refuses the scene: {str(error).rstrip('.')}") from error
     turns = Rotation.from_quat(scene.orientations)
     return Scene(
         features=known[:, _FEATURES],

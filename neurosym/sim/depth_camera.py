@@ -14,6 +14,8 @@ from neurosym.perception.regions import Sight
 from neurosym.sim.config import Client, TabletopConfig, pybullet
 
 _NEAR, _FAR = 0.2, 3.0  # of what is drawn [m]
+_NOTHING = 1 - 1e-6  # what the renderer tells where nothing is, or more
+_PIXELS = 12  # that the smallest object covers, at least
 _SEEN_BESIDE = 0.09  # so far beyond the table's edge objects reach [m]
 _EDGE = 0.01  # depths that differ by more than this between neighbours make an edge [m]
 
@@ -53,6 +55,8 @@ class DepthCamera:
         for name, most in (("depth_step", 0.05), ("dropout", 1.0), ("offset", 0.05)):
             if not 0 <= getattr(self, name) <= most:
                 raise InvalidValue(f"camera.{name} = {getattr(self, name)} must lie between 0 and {most}.")
+        if not all(map(math.isfinite, (*self.position, *self.looks_at, self.roll))):
+            raise InvalidValue("camera.position, looks_at and roll must be finite numbers.")
         if math.dist(self.position, self.looks_at) < _NEAR:
             raise InvalidValue(f"camera.position = {[*self.position]} is too near to what it looks at.")
 
@@ -95,12 +99,24 @@ class DepthCamera:
             for y in np.add(tabletop.table_y, (-_SEEN_BESIDE, _SEEN_BESIDE)):
                 for z in (0.0, tabletop.height[1]):
                     *place, depth = projection @ view @ (x, y, z, 1.0)
-                    if depth <= 0 or max(map(abs, place[:2])) > depth:
+                    if depth <= _NEAR or max(map(abs, place)) > depth:
                         raise InvalidValue(
                             f"camera.position = {[*self.position]} with a field_of_view of "
                             f"{self.field_of_view:g} degrees does not see the whole table; ({x:.2f}, "
                             f"{y:.2f}, {z:.2f}) is out of its picture. Raise it, or widen its view."
                         )
+        deepest = float((-self.position[2] / self._rays[..., 2]).max())
+        if self._rays[..., 2].max() >= 0 or not deepest <= _FAR:
+            raise InvalidValue(
+                f"camera.position = {[*self.position]} looks past the table, further than {_FAR:g} m; let it "
+                "look down more steeply."
+            )
+        pixel = 2 * deepest * math.tan(math.radians(self.field_of_view) / 2) / self.pixels
+        if (covered := (tabletop.size[0] / pixel) ** 2) < _PIXELS:
+            raise InvalidValue(
+                f"camera.pixels = {self.pixels} show an object of {tabletop.size[0]:g} m in {covered:.0f} "
+                f"pixels; valid: at least {_PIXELS}."
+            )
 
     def look(self, client: Client, seed: bytes) -> Sight:
         """Return what it sees: bodies, and beyond them the table, which is not to be among these.
@@ -121,7 +137,7 @@ class DepthCamera:
         )[3]
         shares = np.reshape(np.asarray(buffer, dtype=float), (pixels, pixels))
         depths = _FAR * _NEAR / (_FAR - (_FAR - _NEAR) * shares)
-        depths = np.where(shares < 1, depths, -self.position[2] / self._rays[..., 2])
+        depths = np.where(shares < _NOTHING, depths, -self.position[2] / self._rays[..., 2])
         return Sight(self._sensed(depths, seed), self._rays, np.array(self.position))
 
     def _sensed(self, depths: Float[np.ndarray, "height width"], seed: bytes) -> np.ndarray:

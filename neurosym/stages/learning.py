@@ -307,7 +307,8 @@ def explore_stage(
 
     options: dict[str, Any] = {"strategy": name, "steps": steps, "seed": seed, "regime": regime}
     options |= network.unusual_bits()
-    inputs, outputs = (layout.WORLD, *aim.builds_on), (aim.file(layout.INTERACTIONS),)
+    inputs = (layout.WORLD, *folder.there(layout.EYE), *aim.builds_on)
+    outputs = (aim.file(layout.INTERACTIONS),)
     return Stage(aim.stage("explore"), inputs, outputs, work, options, Claim.ALONE)
 
 
@@ -413,7 +414,7 @@ def distill_stage(
     options |= {} if aim.folder else {"choice": choice}
     options |= {"regime": regime} if aim.foresees and regime != "default" else {}
     # which axes a user names decides nothing here
-    world = () if read_axes(folder / layout.WORLD) else (layout.WORLD,)
+    world = () if read_axes(folder / layout.WORLD) else (layout.WORLD, *folder.there(layout.EYE))
     builds_on = () if networks else aim.builds_on
     inputs = tuple(dict.fromkeys((*world, *builds_on, aim.categories, of_model, *networks, data, *besides)))
     outputs = (aim.table, *map(aim.file, aim.foresees))
@@ -459,7 +460,8 @@ def upright_stage(folder: DomainFolder, *, tries: int, objects: int, seed: int, 
 
     options = {"tries": tries, "objects": objects, "seed": seed}
     outputs = (layout.UPRIGHT_OPERATORS,)
-    return Stage(f"distill-{layout.UPRIGHT}", (layout.WORLD,), outputs, work, options, Claim.ALONE)
+    inputs = layout.WORLD, *folder.there(layout.EYE)
+    return Stage(f"distill-{layout.UPRIGHT}", inputs, outputs, work, options, Claim.ALONE)
 
 
 def train_stage(
@@ -520,5 +522,5 @@ def train_stage(
     options: dict[str, Any] = {"seed": seed, "regime": regime}
     options |= {} if aim.bits else network.unusual_bits()
     options |= held.options
-    inputs = (*((layout.WORLD,) if aim.besides else ()), data)
+    inputs = (*((layout.WORLD, *folder.there(layout.EYE)) if aim.besides else ()), data)
     return Stage(aim.stage("train"), inputs, tuple(map(aim.file, learned)), work, options, Claim.ALONE)

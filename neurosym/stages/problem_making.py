@@ -207,7 +207,7 @@ def problem_stage(folder: DomainFolder, name: str, asked: Asked) -> Stage:
 
     is_relational = bool(asked.relations) or asked.task in RELATION_TASKS
     printed_as = layout.problem_files(name)[:1] if is_relational else layout.problem_files(name)
-    inputs = (layout.WORLD, layout.MODEL, layout.GROUNDING, *folder.there(*_OF_PAIRS))
+    inputs = (layout.WORLD, layout.MODEL, layout.GROUNDING, *folder.there(layout.EYE, *_OF_PAIRS))
     return Stage(f"new-problem {name}", inputs, (*printed_as, layout.scene_file(name)), work, asked.options())
 
 

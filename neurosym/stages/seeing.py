@@ -10,7 +10,8 @@ from scipy.ndimage import zoom
 from neurosym.checks import check_count
 from neurosym.data.foreign_tables import read_images, read_interactions
 from neurosym.data.interactions import Interactions
-from neurosym.errors import InvalidValue
+from neurosym.data.origin import too_few
+from neurosym.errors import InvalidFile, InvalidValue
 from neurosym.perception.regions import CELLS
 from neurosym.primitives.ledger import Ledger
 from neurosym.stages import layout
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
 ACTED, LOOKED = 2000, 4000
 """From so many random actions an eye learns, and from so many objects besides that it only looks at."""
+_DRAWS = 50  # of a scene with one object, until the camera sees just that
 _HIGHEST = 0.1  # images of a user's own are scaled to so much, as crops are high [m]
 _STREAM = 0x736565  # keeps their draws apart from others
 
@@ -44,8 +46,12 @@ def seen_in(
     from neurosym.learning.eye_lesson import teach
 
     data = read_interactions(path, columns, lambda _: None, told=np.zeros((len(images), 1)))
-    crops = zoom(images, (1, CELLS / images.shape[1], CELLS / images.shape[2]), order=1)
-    crops *= _HIGHEST / np.abs(crops).max()
+    if problem := too_few(len(data)):
+        raise InvalidFile(path, problem)
+    crops = zoom(
+        images, (1, CELLS / images.shape[1], CELLS / images.shape[2]), order=1, grid_mode=True, mode="nearest"
+    )
+    crops *= _HIGHEST / (np.abs(crops).max() or 1.0)
     with progress_bar("learning to see") as advance:
         eye = teach(
             crops,
@@ -123,7 +129,10 @@ def see_stage(
 def _drawn(world: Any, seed: int, number: int) -> tuple[Any, np.ndarray]:
     """Draw an object, and look at it; one that is not seen as one object is drawn again."""
     rng = np.random.default_rng([seed, _STREAM, number])
-    while True:
+    for _ in range(_DRAWS):
         scene = world.table_world.sample_scene(rng, 1)
         if len(found := world.look(scene)) == 1:
             return scene, found[0].crop
+    raise InvalidValue(
+        f"The camera does not tell a single object in {_DRAWS} scenes; see [options.camera] in world.toml."
+    )

@@ -8,7 +8,7 @@ import numpy as np
 
 from neurosym.choices import DrawnTask, TaskKind
 from neurosym.contract import limits_of
-from neurosym.errors import counted
+from neurosym.errors import InvalidValue, counted
 from neurosym.pddl.strips_plan import action_for
 from neurosym.planners.planner import PlanStatus
 from neurosym.problems import Problem, RelationGoal
@@ -202,6 +202,8 @@ class TablePanel(Panel):
             self.session.resize(self.page.selected, self._features())
 
     def _add(self) -> None:
+        if not self._sizes:
+            raise InvalidValue("What a camera sees is drawn, and not made by hand; draw another scene.")
         self.session.add(self._features())
         if self.session.problem is not None:
             self.page.select(self.session.problem.object_names[-1])

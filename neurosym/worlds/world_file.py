@@ -165,9 +165,13 @@ def read_world(path: Path) -> "partial[World] | OwnFactory":
             own()
             return own
         make_world(name, options)
-    if name == SEEING:
-        return partial(make_world, name, options, eye=path.absolute().with_name(EYE))
-    return partial(make_world, name, options)
+    if name != SEEING:
+        return partial(make_world, name, options)
+    seeing = partial(make_world, name, options, eye=path.absolute().with_name(EYE))
+    if seeing.keywords["eye"].is_file():
+        world: Any = seeing()
+        assert world.eye, "a damaged one is told of before anything is learned"
+    return seeing
 
 
 def read_limits(path: Path) -> ObjectLimits | None:

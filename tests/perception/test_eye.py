@@ -123,3 +123,20 @@ def test_what_is_no_image_in_a_table_is_refused(tmp_path: Path, change, said: st
     np.savez(tmp_path / "own.npz", images=change(images), actions=np.eye(4), effects=np.eye(4))
     with pytest.raises(InvalidFile, match=said):
         seen_in(tmp_path / "own.npz", None, lambda _: None)
+
+
+def test_tables_whose_images_do_not_fit_are_refused(tmp_path: Path):
+    images, _ = pictures(40)
+    actions = np.random.default_rng(1).uniform(-1, 1, (40, 2))
+    table = {"images": images, "actions": actions, "effects": actions}
+    for change, said in (
+        ({"images": images[:30]}, "it has 30 images and 40 rows"),
+        ({"feature.v1": actions[:, 0]}, "a column is called feature.v1"),
+        ({name: one[:1] for name, one in table.items()}, "needed"),
+    ):
+        np.savez(tmp_path / "own.npz", **(table | change))
+        with pytest.raises(InvalidFile, match=said):
+            seen_in(tmp_path / "own.npz", None, lambda _: None)
+    np.savez(tmp_path / "own.npz", **(table | {"images": np.repeat(images[:1], 40, axis=0)}))
+    with pytest.raises(InvalidValue, match="All crops look the same"):
+        seen_in(tmp_path / "own.npz", None, lambda _: None)

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.perception.eye import NUMBERS, Eye, _shapes
 from neurosym.sim.camera_world import CameraTableConfig, CameraWorld, _truth
 from neurosym.sim.depth_camera import DepthCamera
@@ -60,8 +61,15 @@ def test_actions_do_what_they_do_on_the_tabletop_and_their_ends_are_seen(eye: Pa
 def test_an_object_that_is_moved_by_hand_takes_what_it_is_along(eye: Path):
     world = CameraWorld(eye=eye)
     scene = world.sample_scene(np.random.default_rng(1), 1)
-    there = replace(scene, positions=scene.positions + np.array([0.05, -0.03, 0.0]))
-    assert _truth(there).positions - _truth(scene).positions == pytest.approx(np.array([[0.05, -0.03, 0.0]]))
+    away = _truth(scene).positions - scene.positions
+    turn = Rotation.from_euler("z", 90, degrees=True)
+    turned = (turn * Rotation.from_quat(scene.orientations)).as_quat()
+    there = replace(scene, positions=scene.positions + np.array([0.05, -0.03, 0.0]), orientations=turned)
+    truth = _truth(there)
+    assert truth.positions - there.positions == pytest.approx(turn.apply(away), abs=1e-12)
+    assert np.linalg.norm(away) > 1e-5
+    ways = Rotation.from_quat(truth.orientations) * Rotation.from_quat(_truth(scene).orientations).inv()
+    assert np.degrees(ways.magnitude()) == pytest.approx([90], abs=1e-6)
 
 
 def test_noise_is_drawn_from_what_is_seen(eye: Path):
@@ -94,15 +102,26 @@ def test_it_draws_pictures_by_what_is_seen(eye: Path):
 def test_what_cannot_be_seen_is_refused(eye: Path):
     world = CameraWorld(eye=eye)
     scene = world.sample_scene(np.random.default_rng(2), 1)
-    bare = replace(scene, unseen=np.zeros((1, 0)))
-    with pytest.raises(InvalidValue, match="does not say what a camera sees"):
-        world.interact(bare, world.action_box.low, 0)
+    flat, odd = scene.unseen.copy(), scene.unseen.copy()
+    flat[0, 1], odd[0, 3] = -0.1, 99.0
+    for unseen, said in (
+        (np.zeros((1, 0)), "does not know what its camera sees"),
+        (np.zeros((1, 11)), "does not know what its camera sees"),
+        (flat, "which none has"),
+        (odd, "which none has"),
+    ):
+        with pytest.raises(InvalidWorld, match=said):
+            world.interact(replace(scene, unseen=unseen), world.action_box.low, 0)
     with pytest.raises(InvalidValue, match="has not learned to see yet"):
         CameraWorld().sample_scene(np.random.default_rng(2), 1)
     for options, said in (
         ({"position": (0.65, 0.0, 0.6)}, "does not see the whole table"),
         ({"position": (0.65, 0.0, 0.1)}, "is too near"),
         ({"pixels": 8}, "camera.pixels = 8"),
+        ({"pixels": 40}, "show an object of 0.03 m in 1 pixels; valid: at least 12"),
+        ({"position": (0.65, 0.0, -1.3)}, "looks past the table"),
+        ({"position": (0.65, 0.9, 1.0), "field_of_view": 60.0}, "looks past the table"),
+        ({"roll": float("nan")}, "must be finite"),
         ({"field_of_view": 179.0}, "camera.field_of_view"),
         ({"dropout": 2.0}, "camera.dropout"),
     ):
@@ -110,12 +129,17 @@ def test_what_cannot_be_seen_is_refused(eye: Path):
             DepthCamera(**options).check_sees(CameraTableConfig())
 
 
-def test_what_touches_or_stands_on_another_is_seen(eye: Path):
-    world, upright = CameraWorld(eye=eye), np.array([[0.0, 0.0, 0.0, 1.0]] * 2)
-    small, large = [0.05, 0.06, 0.05, 0.0], [0.15, 0.16, 0.03, 0.0]
-    positions = np.array([[0.5, -0.2, 0.025], [0.75, 0.1, 0.015]])
-    scene = world.seen(Scene(np.array([small, large]), positions, upright))
+def two(world: CameraWorld, small: list[float], large: list[float], *at: tuple[float, float]) -> Scene:
+    """See two objects at places."""
+    positions = np.array([[*place, one[2] / 2] for place, one in zip(at, (small, large), strict=True)])
+    scene = world.seen(Scene(np.array([small, large]), positions, np.array([[0.0, 0.0, 0.0, 1.0]] * 2)))
     assert scene is not None
+    return scene
+
+
+def test_what_touches_or_stands_on_another_is_seen(eye: Path):
+    world, small, large = CameraWorld(eye=eye), [0.05, 0.06, 0.05, 0.0], [0.15, 0.16, 0.03, 0.0]
+    scene = two(world, small, large, (0.5, -0.2), (0.75, 0.1))
     action = carry_to(np.array(small))
     assert action is not None
     for aim in (OtherObject(1), Place(0.75, 0.1 - 0.08 - 0.03)):  # onto it, and close beside it
@@ -124,3 +148,16 @@ def test_what_touches_or_stands_on_another_is_seen(eye: Path):
         truth = _truth(outcome.end)
         assert outcome.end.positions == pytest.approx(truth.positions, abs=0.005)
         assert (outcome.end.positions[0, 2] > 0.05) == isinstance(aim, OtherObject)
+        if isinstance(aim, Place):  # it is seen there, and not only believed to be where it was carried
+            done = replace(outcome, start=_truth(scene), end=truth, carried=False)
+            assert world._seen_again(scene, done).positions == pytest.approx(truth.positions, abs=0.005)
+
+
+def test_what_is_pushed_against_another_of_other_height_is_told_apart(eye: Path):
+    world, small, large = CameraWorld(eye=eye), [0.06, 0.06, 0.05, 0.0], [0.08, 0.08, 0.08, 0.0]
+    scene = two(world, small, large, (0.6, 0.0), (0.6, 0.1))
+    action = np.array([0, -0.05, -0.005, 0, 0, 0.03, -0.005, 0, 0, 0.05, -0.005, 0.0])
+    outcome = world.interact(scene, action, 0)
+    truth = _truth(outcome.end)
+    assert np.linalg.norm(truth.positions - _truth(scene).positions, axis=1).min() > 0.03, "both moved"
+    assert outcome.end.positions == pytest.approx(truth.positions, abs=0.006)

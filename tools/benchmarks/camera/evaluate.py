@@ -10,13 +10,16 @@ from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
+import msgspec
 import numpy as np
 
 from neurosym.commands.pipeline import run
-from neurosym.evaluation.comparison import Bench
+from neurosym.evaluation.comparison import Bench, planner_of
+from neurosym.execution.executor import execute
 from neurosym.files import read_json
 from neurosym.learning.training import TrainingReport
-from neurosym.operators import TOLERANCE
+from neurosym.operators import TOLERANCE, symbols_of
+from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
 from neurosym.sim.camera_world import CameraWorld
 from neurosym.sim.shapes import FEATURE_NAMES
@@ -31,11 +34,13 @@ from tools.benchmarks.camera.summary import page, summarise
 from tools.benchmarks.carrying.tasks import is_graspable
 from tools.benchmarks.domains import bench_of
 from tools.benchmarks.jobs import Evaluation, Jobs, cpu_seconds
+from tools.benchmarks.objects.tasks import LOOKALIKE, SHAPES, to_a_point
 from tools.benchmarks.planning import measures
 from tools.benchmarks.planning.jobs import blocks
-from tools.benchmarks.planning.trials import tried
+from tools.benchmarks.planning.trials import PLANNER, tried
 
 FIRST_TASK = 840_000  # seed of the first task, far from those of other evaluations
+FIRST_SHAPE = 848_000
 WORLDS = {"features": "tabletop", "images": "camera"}
 CELLS = {"single": (1, 50), "far-1": (1, 20), "far-4": (4, 20)}
 """What is tried: objects of a task, and how many tasks for each seed."""
@@ -81,6 +86,12 @@ def main(
                         name = f"try-{kind}-{seed}-{cell}-{block.start}"
                         trying[name] = partial(attempt, work, kind, seed, cell, objects, block)
         evaluation.perform(trying, f"tasks with seed {seed}", report)
+    unseen: Jobs = {
+        f"shape-{kind}-{shape}": partial(carry, work, kind, shape, range(FIRST_SHAPE, FIRST_SHAPE + count))
+        for kind in WORLDS
+        for shape, count in {**dict.fromkeys(SHAPES, 10), LOOKALIKE: 20}.items()
+    }
+    evaluation.perform(unseen, "shapes never seen", report)
     report()
 
 
@@ -115,6 +126,38 @@ def attempt(work: Path, kind: str, seed: int, cell: str, objects: int, block: Se
     bench, first = bench_of(work / f"{kind}-{seed}"), FIRST_TASK + 1000 * seed
     drawn = (draw(bench, cell, objects, first + number) for number in block)
     return tried(bench.setting, drawn, time_limit=measures.TIME_LIMIT)
+
+
+def carry(work: Path, kind: str, shape: str, seeds: Sequence[int]) -> list[bool]:
+    """Carry objects of a shape that nothing was learned of to points: whether each came there, replanned."""
+    known, bench = bench_of(work / "features-1"), bench_of(work / f"{kind}-1")
+    world, found = bench.setting.world, list[bool]()
+    solve = planner_of(bench.setting, PLANNER, time_limit=measures.TIME_LIMIT)
+    for seed in seeds:
+        problem = to_a_point(known, shape, seed)
+        if isinstance(world, CameraWorld):
+            problem = as_seen(problem, world, bench)
+        plan = solve(problem, bench.setting.grounding)
+        steps = plan.steps if plan.status is PlanStatus.SOLVED else ()
+        run = execute(world, problem, bench.setting.grounding, steps, replanner=solve)
+        found.append(run.reached)
+    return found
+
+
+def as_seen(problem: Problem, world: CameraWorld, bench: Bench) -> Problem:
+    """Return a problem of one object as a camera sees it."""
+    scene = world.seen(problem.scene())
+    assert scene is not None, "one object is told apart from none"
+    (item,), (goal,) = problem.objects, problem.goals.values()
+    seen = msgspec.structs.replace(
+        item,
+        category=symbols_of(bench.categorise, scene.features)[0],
+        features=tuple(scene.features[0].tolist()),
+        position=tuple(scene.positions[0].tolist()),
+        orientation=tuple(scene.orientations[0].tolist()),
+        unseen=tuple(scene.unseen[0].tolist()),
+    )
+    return msgspec.structs.replace(problem, objects=(seen,), goals={item.name: (*goal[:2], seen.position[2])})
 
 
 def draw(bench: Bench, cell: str, objects: int, seed: int) -> Problem:

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from neurosym.data.interactions import Interactions
 from neurosym.learning.eye_lesson import teach
 from neurosym.learning.training import split, train
-from neurosym.learning.training_config import regime_named
+from neurosym.learning.training_config import DEFAULT_BITS, ModelConfig, regime_named
 from neurosym.perception.eye import NUMBERS
 from neurosym.sim.camera_world import CameraTableConfig, CameraWorld
 from neurosym.sim.depth_camera import DepthCamera
@@ -106,7 +106,8 @@ def draw_crops(work: Path) -> int:
 def compare(work: Path, seed: int) -> dict[str, Any]:
     """Train on the same interactions, shown true features and what an eye tells of crops."""
     data, crops = _explored(), np.load(work / "crops.npz")["crops"]
-    chosen, share = regime_named("default"), regime_named("default").training.validation_share
+    chosen, bits = regime_named("quick"), ModelConfig(*DEFAULT_BITS)
+    share = chosen.training.validation_share
     numbers = replace(data, features=np.arange(len(data), dtype=np.float32)[:, None])
     kept = split(numbers, share, seed)[0].features[:, 0].astype(int)  # nothing held out teaches the eye
     acted, looked = kept[:_TAUGHT], kept[_TAUGHT : _TAUGHT + _LOOKED]
@@ -119,6 +120,6 @@ def compare(work: Path, seed: int) -> dict[str, Any]:
     }
     found = {}
     for name, one in shown.items():
-        report = train(one, config=chosen.training, model_config=chosen.model, seed=seed).report
+        report = train(one, config=chosen.training, model_config=bits, seed=seed).report
         found[name] = {"direct_r2": report.r2_direct, "r2": report.r2_through_codes, "share": report.share}
     return found
