@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
+from warnings import catch_warnings
 
 import msgspec
 import numpy as np
@@ -21,7 +22,7 @@ from neurosym.checks import Float
 from neurosym.data.archives import read_arrays
 from neurosym.data.axes import Axis, as_tables, axes_in, legal_name
 from neurosym.data.interactions import Interactions
-from neurosym.data.origin import file_problems
+from neurosym.data.origin import GREATEST, file_problems
 from neurosym.errors import InvalidData, InvalidFile, InvalidValue, blaming, listed_briefly, shortened
 from neurosym.files import MOST_DATA, opened, read_bytes, read_toml
 
@@ -57,6 +58,7 @@ Table = Mapping[str, np.ndarray]
 
 IMAGES = "images"
 """The array (N, side, side) that shows what was acted upon."""
+_LEAST_SIDE = 8  # pixels of an image
 _TOLD = "v"  # columns of what an eye tells of images
 
 
@@ -72,10 +74,15 @@ def read_images(path: Path) -> Float[np.ndarray, "N side side"] | None:
     if (
         found.ndim != 3
         or found.shape[1] != found.shape[2]
-        or not found.size
+        or found.shape[1] < _LEAST_SIDE
+        or not len(found)
         or found.dtype.kind not in "fiub"
     ):
-        raise InvalidFile(path, f"its images are {found.dtype} {found.shape}; valid: numbers (N, side, side)")
+        raise InvalidFile(
+            path,
+            f"its images are {found.dtype} {found.shape}; valid: numbers (N, side, side), of at least "
+            f"{_LEAST_SIDE} pixels a side",
+        )
     with np.errstate(all="ignore"):
         images = found.astype(np.float64)
     if bad := np.argwhere(~np.isfinite(images)).tolist():
@@ -223,7 +230,7 @@ def _read_pt(path: Path) -> dict[str, np.ndarray]:
     import torch
 
     try:
-        with opened(path, MOST_DATA) as file:
+        with opened(path, MOST_DATA) as file, catch_warnings(action="ignore"):
             found = torch.load(file, map_location="cpu", weights_only=True)
     except InvalidFile:
         raise
@@ -280,8 +287,20 @@ def _chosen(
             if not text:
                 raise InvalidValue(f"The column {shortened(one)} has no value in row {row} (from 0)")
             raise InvalidValue(
-                f"The column {shortened(one)} is text, as {shortened(text)!r}; valid: numbers, or name it as "
-                "one of the choices"
+                f"The column {shortened(one)} is text, as {shortened(text)!r}; valid: numbers, a column of 0 "
+                "and 1 for each word of a feature, or name it as one of the choices if it says what was done"
+            )
+        if (rows := len(parts[0])) != len(found):
+            raise InvalidValue(
+                f"{shortened(one)} has {len(found)} rows, and others have {rows}; valid: as many"
+            )
+        with np.errstate(all="ignore"):
+            is_wrong = ~(np.abs(found.astype(np.float64)) <= GREATEST)
+        if is_wrong.any():
+            row = int(np.argwhere(is_wrong)[0][0])
+            raise InvalidValue(
+                f"The column {shortened(one)} holds {found[is_wrong][0]:g} in row {row} (from 0); valid: "
+                f"finite numbers up to {GREATEST:.2g}"
             )
         part = _PART.fullmatch(one) if one not in table else None
         array = part["name"] if part else one

@@ -151,13 +151,14 @@ FLAGS = ("held", "toppled", "lost")
 LEAST_INTERACTIONS = 20
 """Fewest rows that some can be held out of."""
 
-_GREATEST = 1e9
+GREATEST = 1e9
 """Greatest number that is taken for data; far below where sums of squares overflow 32 bits."""
+_FEW = 12  # whole numbers in all that an action parameter holds, and that may be choices
 _NARROW = 3e-3
 """A standard deviation below this is damped by batch normalisation, which adds 1e-5 to the variance."""
 _FAR = 100
 """Effects of more tolerances than this are hardly meant to be foretold so precisely."""
-_Bound = Annotated[float, msgspec.Meta(ge=-_GREATEST, le=_GREATEST)]
+_Bound = Annotated[float, msgspec.Meta(ge=-GREATEST, le=GREATEST)]
 
 
 class _Mirror(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -206,10 +207,10 @@ def _column_problem(name: str, column: np.ndarray, columns: Columns) -> str | No
         return f"{name!r} has shape {column.shape}; valid: {valid}"
     with np.errstate(all="ignore"):
         numbers = column.astype(np.float64)
-    bad = ~np.isin(numbers, (0, 1)) if is_flag else ~(np.abs(numbers) <= _GREATEST)
+    bad = ~np.isin(numbers, (0, 1)) if is_flag else ~(np.abs(numbers) <= GREATEST)
     if not bad.any():
         return None
-    valid = "true and false (1 and 0)" if is_flag else f"finite numbers up to {_GREATEST:.2g}"
+    valid = "true and false (1 and 0)" if is_flag else f"finite numbers up to {GREATEST:.2g}"
     place = np.argwhere(bad)[0].tolist()
     return f"{name}{place} is {numbers[tuple(place)]:g}{_and_more(bad)}; valid: {valid}"
 
@@ -364,6 +365,7 @@ def warnings_about(columns: Columns, origin: Mapping[str, Any], given: tuple[str
             f"{TOLERANCE:g} of the mean, in their unit; give them in a {unit} unit, or name axes"
         )
     warnings += _turning(columns, origin)
+    warnings += _choosing(columns, origin)
     read = (*_Read.__struct_fields__, "format")
     near = {name: get_close_matches(name, read, n=1, cutoff=0.8) for name in origin if name not in read}
     return warnings + [
@@ -382,6 +384,19 @@ def _turning(columns: Columns, origin: Mapping[str, Any]) -> Iterator[str]:
             room = 0.8 * float(np.ptp(values))
             if effects.min() < -room and effects.max() > room and np.mean(abs(effects) > room / 2) < 0.25:
                 yield f"{axis.name} sometimes changes by nearly all of its range; is it an angle?"
+
+
+def _choosing(columns: Columns, origin: Mapping[str, Any]) -> Iterator[str]:
+    """Note action parameters that look like choices: they hold few whole numbers, and more than two."""
+    names = origin.get("action_names", ())
+    for number, column in enumerate(columns["actions"].T):
+        values = np.unique(column)
+        if 2 < len(values) <= _FEW and np.all(values % 1 == 0) and not is_explored(origin):
+            name = names[number] if number < len(names) else f"actions[:, {number}]"
+            yield (
+                f"{name} holds only {len(values)} whole numbers; if each is a choice of its own, name it "
+                f"choice.{name}, or list it as one of the choices"
+            )
 
 
 def too_few(rows: int) -> str | None:

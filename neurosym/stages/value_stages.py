@@ -71,7 +71,7 @@ def compile_values_stage(folder: DomainFolder, *, name: str | None = None) -> St
             table = given.table()
         else:
             table = OperatorTable.load(folder.require(layout.PRIMITIVES))
-        with blaming(folder / layout.INTERACTIONS):
+        with blaming(folder / (layout.WORLD if (folder / layout.WORLD).is_file() else layout.INTERACTIONS)):
             domain = compile_values(
                 data,
                 table,

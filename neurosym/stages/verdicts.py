@@ -160,12 +160,12 @@ def judge_values(domain: ValueDomain) -> Verdict:
         if not step.stays
     }
     if still := [axis.name for axis in domain.axes if axis.name not in moved]:
-        sentence += f"; none of these changes {listed_briefly(still)}"
+        sentence += f"; none of those that mostly do changes {listed_briefly(still)}"
     if len(sure) >= MOST * len(best) and sure and not still:
         return Verdict("good", sentence)
     remedy = "what has one symbol ends differently; use more bits, or bring more interactions"
     if len(sure) >= MOST * len(best):
-        remedy = "what nothing changes needs no axis; leave it out of `after`"
+        remedy = "what nothing surely changes needs no axis; leave it out of what actions change"
     return Verdict("weak" if sure and len(sure) >= FEW * len(best) else "useless", sentence, remedy)
 
 

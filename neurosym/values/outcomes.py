@@ -112,7 +112,11 @@ def _operators(
                 name, category.symbol, primitive.symbol, trials, outcome, primitive.variant
             )
     if not operators:
-        raise InvalidValue("No action changes anything by more than half a cell, so nothing can be planned.")
+        sizes = ", ".join(f"{axis.name} {axis.cell or 1:g}" for axis in axes)
+        raise InvalidValue(
+            f"No action mostly changes anything by more than half a cell, so nothing can be planned; cells "
+            f"are of {sizes}. Give smaller ones, or another kind of axis, in world.toml."
+        )
     return tuple(operators[one] for one in sorted(operators))
 
 

@@ -184,7 +184,13 @@ class ValueTask:
             if (here := states[thing][number]) not in meeting:
                 cells = self.domain.cells[number]
                 asked = goal_in_words(self.problem.goals[thing][cells.axis.name])
-                yield f"{thing} ends with {cells.axis.name} = {cells.centre(here):g}, not {asked}"
+                value, half = cells.centre(here), cells.size / 2
+                whole = f", whose cell {value - half:g} to {value + half:g} must lie in it whole"
+                is_partly = isinstance(self.problem.goals[thing][cells.axis.name], tuple) and cells.meets(
+                    self.problem.goals[thing][cells.axis.name], value
+                )
+                said = f"{thing} ends with {cells.axis.name} = {value:g}"
+                yield f"{said}, not {asked}{whole if is_partly else ''}"
 
     def replay(self, steps: Sequence[PlanStep]) -> tuple[dict[str, Cell], str]:
         """Follow a plan; returned are the states in the end, and why it is no plan, if it is none."""
