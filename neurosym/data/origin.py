@@ -151,14 +151,14 @@ FLAGS = ("held", "toppled", "lost")
 LEAST_INTERACTIONS = 20
 """Fewest rows that some can be held out of."""
 
-GREATEST = 1e9
+_GREATEST = 1e9
 """Greatest number that is taken for data; far below where sums of squares overflow 32 bits."""
 _FEW = 12  # whole numbers in all that an action parameter holds, and that may be choices
 _NARROW = 3e-3
 """A standard deviation below this is damped by batch normalisation, which adds 1e-5 to the variance."""
 _FAR = 100
 """Effects of more tolerances than this are hardly meant to be foretold so precisely."""
-_Bound = Annotated[float, msgspec.Meta(ge=-GREATEST, le=GREATEST)]
+_Bound = Annotated[float, msgspec.Meta(ge=-_GREATEST, le=_GREATEST)]
 
 
 class _Mirror(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -207,10 +207,10 @@ def _column_problem(name: str, column: np.ndarray, columns: Columns) -> str | No
         return f"{name!r} has shape {column.shape}; valid: {valid}"
     with np.errstate(all="ignore"):
         numbers = column.astype(np.float64)
-    bad = ~np.isin(numbers, (0, 1)) if is_flag else ~(np.abs(numbers) <= GREATEST)
+    bad = ~np.isin(numbers, (0, 1)) if is_flag else ~(np.abs(numbers) <= _GREATEST)
     if not bad.any():
         return None
-    valid = "true and false (1 and 0)" if is_flag else f"finite numbers up to {GREATEST:.2g}"
+    valid = "true and false (1 and 0)" if is_flag else f"finite numbers up to {_GREATEST:.2g}"
     place = np.argwhere(bad)[0].tolist()
     return f"{name}{place} is {numbers[tuple(place)]:g}{_and_more(bad)}; valid: {valid}"
 
