@@ -418,12 +418,15 @@ def _changed(
     known = {axis.name: axis for axis in (axes_in(mapping.axes, None) if mapping.axes else ())}
     if strange := next((name for name in known if name not in map(legal_name, before)), None):
         raise InvalidValue(f"There is an axis {strange}, which `after` does not name")
+    kinds = {legal_name(str(one.get("name"))): one.get("kind") for one in mapping.axes}
     axes, keep = list[Axis](), list[int]()
     for number, name in enumerate(map(legal_name, before)):
         both = np.stack([now[:, number], after[:, number]])
         if name in known or np.any(both[0] != both[1]):
             keep.append(number)
-            axes.append(known.get(name) or Axis(name, "flag" if np.isin(both, (0, 1)).all() else "length"))
+            axis = known.get(name) or Axis(name)
+            is_flag = not kinds.get(name) and np.isin(both, (0, 1)).all()
+            axes.append(msgspec.structs.replace(axis, kind="flag") if is_flag else axis)
     if not keep:
         raise InvalidValue("Nothing differs between the features and what they became")
     effects = [axis.difference(after[:, n], now[:, n]) for axis, n in zip(axes, keep, strict=True)]

@@ -108,6 +108,35 @@ def test_axes_alone_leave_columns_to_their_names_and_no_column_goes_unsaid(tmp_p
     (tmp_path / "columns.toml").write_text(listed)
     found = read_interactions(table, tmp_path / "columns.toml")
     assert axes_in(found.origin["axes"], 1) == (Axis("lit", "flag"),)
+    (tmp_path / "bare.toml").write_text('[[axes]]\nname = "lit"\n[[axes]]\nname = "angle"\n')
+    found = read_interactions(table, tmp_path / "bare.toml")
+    assert axes_in(found.origin["axes"], 2) == (Axis("angle"), Axis("lit", "flag"))
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"actions": np.zeros((40, 2))}, "actions has 40 rows, and others have 50; valid: as many"),
+        ({"features": np.full((50, 2), np.inf)}, r"The column features holds inf in row 0 \(from 0\)"),
+        ({"features": np.array([["left", "right"]] * 50)}, "a column of 0 and 1 for each word"),
+    ],
+)
+def test_columns_that_do_not_fit_are_named(tmp_path, change, said):
+    whole = {name: np.arange(100.0).reshape(50, 2) for name in ("features", "actions", "effects")}
+    np.savez(tmp_path / "own.npz", **(whole | change))
+    with pytest.raises(InvalidFile, match=said):
+        read_interactions(tmp_path / "own.npz")
+
+
+def test_whole_numbers_that_may_be_choices_are_told_of(tmp_path):
+    rng = np.random.default_rng(0)
+    columns = {"feature.mass": rng.random(60), "effect.x": rng.random(60)}
+    columns["action.gear"] = rng.integers(1, 5, 60)
+    np.savez(tmp_path / "own.npz", **columns)
+    found = read_interactions(tmp_path / "own.npz")
+    (said,) = (one for one in warnings_about(found.columns, found.origin, ()) if "choice" in one)
+    assert said.startswith("gear holds only 4 whole numbers;")
+    assert "name it choice.gear" in said
 
 
 @pytest.mark.parametrize(
