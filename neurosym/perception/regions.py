@@ -1,16 +1,19 @@
-"""Objects as a depth image shows them: connected regions above the table.
+"""Objects as a depth image shows them: connected regions above the table, and which known object each is.
 
 Nothing here knows what a simulator knows. A region's outline at its top gives heading, size and middle; what
-is around it at each point is its crop.
+is around it at each point is its crop. What was known of objects then meets what is seen now.
 """
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from scipy import ndimage
+from scipy.optimize import linear_sum_assignment
 from scipy.spatial import ConvexHull
+from scipy.spatial.transform import Rotation
 
 from neurosym.checks import Float, check_array
 from neurosym.errors import InvalidValue
@@ -22,15 +25,18 @@ CELLS, CELL = 32, 0.0065
 _AROUND = np.ones((3, 3))  # the pixels around one
 _LEAST = 12  # pixels of a region; what is smaller is noise
 _RIM = 0.004  # what is at most this much lower than the top belongs to the top [m]
-_BAND, _LINES = (
-    0.3,
-    3,
-)  # share of an outline around its middle where its edges are located, and pixels at least
+_BAND = 0.3  # share of an outline around its middle where its edges are located
+_LINES = 3  # pixels that this is wide, at least
 _BEYOND = 1.5  # an outline that reaches so many pixels further elsewhere is no rectangle
 _WIDER = 2.5  # what reaches so many pixels further than its top is no box
 _STRAIGHTER = 0.97  # an outline lies turned only if its box is smaller than the straight one by this factor
 _THIN = 1e-6  # an outline narrower than this has no hull [m]
 _TURNS = np.radians(np.arange(-45, 45, 0.5))
+
+FITS = 0.015
+"""A region is not of an object if their extents differ by more along any axis [m]."""
+_ALIKE = 0.004  # ways to lie whose extents differ by no more than this are not told apart by them [m]
+_MOVED = 0.2  # how much the distance from where it was counts of what was acted upon, beside others
 
 Crop = Float[np.ndarray, "cells cells"]
 """Heights above the table around an object's middle, 0 where it is not [m]; rows along its x axis, columns
@@ -95,10 +101,14 @@ class KnownBox:
         own = np.abs((points - self.middle) @ self.axes)
         return np.asarray(np.all(own <= self.size / 2 + _RIM, axis=-1))
 
+    @property
+    def top(self) -> float:
+        """How high it reaches [m]."""
+        return float(np.abs(self.axes[2]) @ self.size) / 2 + float(self.middle[2])
+
     def top_at(self, x: float, y: float) -> float:
         """Return how high what stands on it stands at a place; 0 beside it [m]."""
-        high = float(np.abs(self.axes[2]) @ self.size) / 2 + float(self.middle[2])
-        return high if self.holds(np.array([x, y, self.middle[2]])) else 0.0
+        return self.top if self.holds(np.array([x, y, self.middle[2]])) else 0.0
 
 
 def regions_of(sight: Sight, known: Sequence[KnownBox] = (), *, top: float | None = None) -> list[Region]:
@@ -208,3 +218,112 @@ def _crop(
     inside = (rows >= 0) & (rows < CELLS) & (columns >= 0) & (columns < CELLS)
     np.maximum.at(crop, (rows[inside], columns[inside]), points[inside, 2])
     return crop
+
+
+# Which region is which object: by extents, however an object lies, and by where it was
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tracked:
+    """Where known objects are seen."""
+
+    positions: Float[np.ndarray, "M 3"]  #: Their middles [m]; as they were where nothing was seen
+    orientations: Float[np.ndarray, "M 4"]  #: As quaternions (x, y, z, w); likewise
+    is_seen: tuple[bool, ...]  #: Which objects are told apart from all others
+
+
+def track(
+    found: list[Region],
+    sizes: Float[np.ndarray, "M 3"],
+    positions: Float[np.ndarray, "M 3"],
+    orientations: Float[np.ndarray, "M 4"],
+    target: int | None = None,
+) -> Tracked:
+    """Find objects that are known among regions.
+
+    An object and a region belong together if their extents fit, however the object lies; of several, those
+    near to where it was. Objects that touch make one region that fits none of them, and are not told apart.
+
+    Args:
+        found: What is seen.
+        sizes: Sizes of objects along their own axes [m].
+        positions: Where they were [m].
+        orientations: How they lay.
+        target: Which object was acted upon, if any; it may be far from where it was.
+    """
+    misfits = np.array([[_misfit(one, size) for one in found] for size in sizes]).reshape(len(sizes), -1)
+    apart = np.array([[math.dist(one.position[:2], at[:2]) for one in found] for at in positions])
+    apart = apart.reshape(misfits.shape)
+    if target is not None:
+        apart[target] *= _MOVED
+    costs = np.where(misfits <= FITS, apart + misfits, 1e3)
+    placed, lying = positions.copy(), orientations.copy()
+    seen = [False] * len(sizes)
+    for row, column in zip(*linear_sum_assignment(costs), strict=True):
+        if costs[row, column] < 1e3:
+            one = found[column]
+            lying[row] = _lying(one, sizes[row], orientations[row])
+            placed[row], seen[row] = one.position, True
+    return Tracked(placed, lying, tuple(seen))
+
+
+def track_all(
+    sight: Sight,
+    sizes: Float[np.ndarray, "M 3"],
+    positions: Float[np.ndarray, "M 3"],
+    orientations: Float[np.ndarray, "M 4"],
+    target: int,
+) -> Tracked:
+    """Find known objects in what a camera sees, those that touch others, too; see `track`.
+
+    Objects that are not told apart at first are looked for again with all that belongs to the others left
+    out, and then by their heights. At last the target is looked for with the others where they were.
+    """
+    told = track(regions_of(sight), sizes, positions, orientations, target)
+    placed, lying, seen = told.positions, told.orientations, [*told.is_seen]
+
+    def box(number: int) -> KnownBox:
+        return KnownBox(placed[number], Rotation.from_quat(lying[number]).as_matrix(), sizes[number])
+
+    def seek(number: int, others: Sequence[int], *, by_height: bool = False) -> None:
+        if seen[number]:
+            return
+        top, one = box(number).top if by_height else None, slice(number, number + 1)
+        found = regions_of(sight, [box(other) for other in others if other != number], top=top)
+        again = track(found, sizes[one], placed[one], lying[one], target=0)
+        if again.is_seen[0]:
+            placed[one], lying[one], seen[number] = again.positions, again.orientations, True
+
+    every = range(len(sizes))
+    for by_height in (False, True) if len(sizes) > 1 else ():
+        for number in every:
+            seek(number, [other for other in every if seen[other]], by_height=by_height)
+    seek(target, every)
+    return Tracked(placed, lying, tuple(seen))
+
+
+def _misfit(region: Region, size: Float[np.ndarray, "3"]) -> float:
+    """Return by how much the extents of a region differ from those of an object, however it lies [m]."""
+    return float(_misfits(region, size).min())
+
+
+def _misfits(region: Region, size: Float[np.ndarray, "3"]) -> Float[np.ndarray, "24"]:
+    extents = np.abs(_quarters().as_matrix()) @ size  # (24, 3)
+    return np.asarray(np.abs(extents - region.size).max(1))
+
+
+def _lying(
+    region: Region, size: Float[np.ndarray, "3"], before: Float[np.ndarray, "4"]
+) -> Float[np.ndarray, "4"]:
+    """Return how an object lies that is seen as a region: of all ways that fit, the one nearest to before."""
+    misfits = _misfits(region, size)
+    ways = Rotation.from_euler("z", region.heading) * _quarters()
+    away = (ways * Rotation.from_quat(before).inv()).magnitude()
+    away[misfits > misfits.min() + _ALIKE] = np.inf
+    return np.asarray(ways[int(away.argmin())].as_quat(canonical=True))
+
+
+@cache
+def _quarters() -> Rotation:
+    """All turns by quarters about any axes."""
+    return Rotation.create_group("O")

@@ -19,8 +19,7 @@ from neurosym.checks import Float
 from neurosym.contract import ObjectLimits, Part, PoseSink
 from neurosym.errors import InvalidValue, InvalidWorld, quoted
 from neurosym.perception.eye import NUMBERS, Eye
-from neurosym.perception.regions import KnownBox, Region, Sight, regions_of
-from neurosym.perception.tracking import Tracked, track
+from neurosym.perception.regions import Region, Sight, regions_of, track_all
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.depth_camera import DepthCamera
 from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP, SOLID, UNSEEN
@@ -56,7 +55,8 @@ class CameraWorld:
     """The tabletop, whose objects are known by what a camera sees.
 
     What an action does to its target is told as on the tabletop; where everything stands in the end is
-    looked at again. What is not told apart then is where the hand left it, or where it was.
+    looked at again. What is not told apart then counts as where it was, or where the simulator says that it
+    was set down.
 
     Args:
         config: Its options.
@@ -151,7 +151,7 @@ class CameraWorld:
                 ghosts=ghosts,
                 reference=reference,
             )
-        lifted = _moved(scene, done.start, done.lifted)  # as the joints of the arm say
+        lifted = _moved(scene, done.start, done.lifted)  # where the simulator says
         is_at_rest = put_down or not done.held
         end = self._seen_again(scene, done) if is_at_rest else lifted
         return replace(done, start=scene, lifted=lifted if done.held else end, end=end)
@@ -164,7 +164,7 @@ class CameraWorld:
         if still:
             return scene
         positions, orientations, target = scene.positions.copy(), scene.orientations.copy(), done.target
-        if done.held or done.carried:  # where the hand left it, as its joints say
+        if done.held or done.carried:  # where the simulator says that it was set down
             way = done.end.positions[target] - done.start.positions[target]
             turns = [Rotation.from_quat(one.orientations[target]) for one in (done.start, done.end)]
             (yaw,) = Rotation.from_euler("z", [[(turns[1] * turns[0].inv()).as_euler("zyx")[0]]])
@@ -172,39 +172,8 @@ class CameraWorld:
             orientations[target] = (yaw * Rotation.from_quat(orientations[target])).as_quat(canonical=True)
         sizes = scene.features[:, : len(SIZES)]
         sight = self.sight_of(done.end)
-        told = track(regions_of(sight), sizes, positions, orientations, target=target)
-        return _with_truth(self._told_apart(scene, sight, told, target), done.end)
-
-    @staticmethod
-    def _told_apart(scene: Scene, sight: Sight, told: Tracked, target: int) -> Scene:
-        """Look once more at objects that are not told apart, since they touch others.
-
-        First all that belongs to those that are seen is left out. Then each is sought by its height. At last
-        the target is sought with the others where they were.
-        """
-        sizes, seen = scene.features[:, : len(SIZES)], [*told.is_seen]
-        positions, orientations = told.positions.copy(), told.orientations.copy()
-
-        def box(number: int) -> KnownBox:
-            axes = Rotation.from_quat(orientations[number]).as_matrix()
-            return KnownBox(positions[number], axes, sizes[number])
-
-        def seek(number: int, others: Sequence[int], top: float | None) -> None:
-            if seen[number]:
-                return
-            one = slice(number, number + 1)
-            found = regions_of(sight, [box(other) for other in others if other != number], top=top)
-            again = track(found, sizes[one], positions[one], orientations[one], target=0)
-            if again.is_seen[0]:
-                positions[one], orientations[one], seen[number] = again.positions, again.orientations, True
-
-        every = range(len(scene))
-        for by_height in (False, True):
-            for number in every:
-                top = positions[number, 2] + float(np.abs(box(number).axes[2]) @ sizes[number]) / 2
-                seek(number, [other for other in every if seen[other]], top if by_height else None)
-        seek(target, every, None)
-        return Scene(scene.features, positions, orientations)
+        told = track_all(sight, sizes, positions, orientations, target)
+        return _with_truth(Scene(scene.features, told.positions, told.orientations), done.end)
 
     def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
         """Draw a scene without the arm (see `Pictured.picture`)."""

@@ -7,8 +7,7 @@ import pytest
 from perception.boxes import Box, sight_of
 from scipy.spatial.transform import Rotation
 
-from neurosym.perception.regions import regions_of
-from neurosym.perception.tracking import track
+from neurosym.perception.regions import regions_of, track
 
 LONG, CUBE = (0.12, 0.05, 0.03), (0.06, 0.06, 0.07)
 UPRIGHT = np.array([0.0, 0.0, 0.0, 1.0])
