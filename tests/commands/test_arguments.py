@@ -80,7 +80,7 @@ def test_what_cannot_be_read_is_refused_in_one_sentence(typed, said, capsys):
 def test_run_checks_what_was_typed_before_it_makes_a_folder(tmp_path, wrong, capsys):
     assert wrong[1] in refusal(capsys, "run", tmp_path / "new", *wrong)
     asked = ("init", tmp_path / "new", "--world", "moon")
-    assert "no world 'moon'; valid: tabletop, toy" in refusal(capsys, *asked)
+    assert "no world 'moon'; valid: camera, tabletop, toy" in refusal(capsys, *asked)
     assert not (tmp_path / "new").exists()
 
 

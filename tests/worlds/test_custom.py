@@ -183,7 +183,7 @@ def test_options_reach_the_world_and_an_unknown_one_hints_at_ones_own(tmp_path):
     path.write_text('world = "tabletop"\n[options]\nlift_height = 0.1\ntable_y = [-0.2, 0.2]\n')
     world = read_world(path)()
     assert (world.lift_height, world.table.y) == (0.1, (-0.2, 0.2))
-    said = "valid: tabletop, toy, toy-relations, your own as module:factory"
+    said = "valid: camera, tabletop, toy, toy-relations, your own as module:factory"
     for call in (lambda: make_world("moon", {}), lambda: default_text("moon", tmp_path)):
         with pytest.raises(UnknownChoice, match=said):
             call()
@@ -193,7 +193,7 @@ def test_options_reach_the_world_and_an_unknown_one_hints_at_ones_own(tmp_path):
     ("text", "message"),
     [
         ("not toml", "not TOML"),
-        ('world = "moon"', "no world 'moon'; valid: tabletop, toy"),
+        ('world = "moon"', "no world 'moon'; valid: camera, tabletop, toy"),
         ('world = "tabletop"\n[options]\nlift = 1', "no option 'lift'; valid: .*lift_height"),
         ('world = "tabletop"\n[options]\nmass = "heavy"', "wrong type: .*float"),
         ('world = "toy"\n[options]\nlift_height = nan', "lift_height = nan must be a finite number"),
