@@ -1,4 +1,4 @@
-"""Draw what the camera of `domains/camera` sees, into docs/images/camera.png: `python -m tools.draw_camera`.
+"""Draw what the camera of a domain sees: `python -m tools.draw_camera DIR`, into docs/images/camera.png.
 
 Above, a scene from the side, and its depth image with the objects that are found in it. Below, of each object
 its crop with its bits, and what the first filters of the eye answer to it.
@@ -6,26 +6,28 @@ its crop with its bits, and what the first filters of the eye answer to it.
 
 import math
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+import tyro
 from PIL import Image, ImageDraw, ImageFont
 
 from neurosym.stages.folder import DomainFolder
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks.options import ROOT
 
-DOMAIN, PICTURE = ROOT / "domains/camera", ROOT / "docs/images/camera.png"
+PICTURE = ROOT / "docs/images/camera.png"
 SCENE, OBJECTS = 11, 5  # the seed of the scene, and how many objects it has
-WIDTH, TOP, SIDE, GAP = 1100, 380, 200, 20
+WIDTH, TOP, SIDE, GAP = 1120, 380, 200, 20
 FILTERS = 8
 DARK, PAPER, MARK = (29, 29, 29), (255, 255, 255), (220, 60, 40)
 HIGH = 0.1  # what is drawn black [m]
 
 
-def main() -> None:
-    """Draw it."""
-    folder = DomainFolder(DOMAIN)
+def main(path: tyro.conf.Positional[Path]) -> None:
+    """Draw it, for a folder that `neurosym run DIR --world camera` learned in."""
+    folder = DomainFolder(path)
     world: Any = read_world(folder / "world.toml")()
     truth = world.table_world.sample_scene(np.random.default_rng(SCENE), OBJECTS)
     sight, found = world.sight_of(truth), world.look(truth)
@@ -81,4 +83,4 @@ def _pixel(sight: Any, point: Sequence[float], side: int) -> tuple[float, float]
 
 
 if __name__ == "__main__":
-    main()
+    tyro.cli(main)

@@ -31,7 +31,7 @@ FOUND = {
     "try-images-1-single-0": [
         {"blind": GOAL, "replanned": GOAL},
         {"blind": LOST, "replanned": GOAL},
-        {"blind": None, "replanned": None},
+        {"status": "unsolvable"},
     ],
     "try-noisy-1-single-0": [{"blind": LOST, "replanned": GOAL}],
     "agree-1": [["00", "00", "01"], ["1", "1", "0"]],

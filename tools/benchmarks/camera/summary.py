@@ -73,10 +73,10 @@ def _tried(found: Mapping[str, Any], kind: str, cell: str) -> dict[str, Any]:
     names = [name for name in found if name.startswith(f"try-{kind}-") and f"-{cell}-" in name]
     trials = [trial for name in sorted(names) for trial in found[name]]
     reached = {
-        how: share_of(sum(bool((trial[how] or {}).get("reached")) for trial in trials), len(trials))
+        how: share_of(sum(bool((trial.get(how) or {}).get("reached")) for trial in trials), len(trials))
         for how in _SAID
     }
-    return {**reached, "tasks": len(trials), "unplanned": sum(trial["replanned"] is None for trial in trials)}
+    return {**reached, "tasks": len(trials), "unplanned": sum(trial.get("replanned") is None for trial in trials)}
 
 
 def _learned(found: Mapping[str, Any], kind: str) -> dict[str, Any]:
