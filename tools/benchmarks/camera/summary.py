@@ -76,7 +76,8 @@ def _tried(found: Mapping[str, Any], kind: str, cell: str) -> dict[str, Any]:
         how: share_of(sum(bool((trial.get(how) or {}).get("reached")) for trial in trials), len(trials))
         for how in _SAID
     }
-    return {**reached, "tasks": len(trials), "unplanned": sum(trial.get("replanned") is None for trial in trials)}
+    unplanned = sum(trial.get("replanned") is None for trial in trials)
+    return {**reached, "tasks": len(trials), "unplanned": unplanned}
 
 
 def _learned(found: Mapping[str, Any], kind: str) -> dict[str, Any]:
