@@ -24,6 +24,8 @@ TOLERANCE = 0.05
 """How near an object must come to its goal, and an outcome to its promise [m] (section III-E)."""
 BUDGET = 4000
 """How often candidates and operators of one aim perform at most, if it is not said."""
+ACTED, LOOKED = 2000, 4000
+"""From so many random actions an eye learns, and from so many objects besides that it only looks at."""
 CELL = 0.005  # edge of a grid cell unless the user says otherwise [m]
 StrategyName = Literal["disagreement", "entropy", "curiosity", "random", "active"]
 """A way to explore; see `strategies`."""

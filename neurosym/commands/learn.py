@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal, Optional
 
 from tyro.conf import Positional, arg
 
-from neurosym.choices import BUDGET, CELL, DEFAULT_STRATEGY, StrategyName
+from neurosym.choices import ACTED, BUDGET, CELL, DEFAULT_STRATEGY, LOOKED, StrategyName
 from neurosym.commands.arguments import CPUS, Folder, Json, Seed, Workers, answer_in, opened, refuse_options
 from neurosym.errors import InvalidData, InvalidFile, InvalidValue, counted, listed_briefly, quoted
 from neurosym.learning.training_config import DEFAULT_BITS, PAPER_BITS
@@ -157,8 +157,8 @@ def make_domain_folder(folder: Path, world: str) -> None:
 
 def see(
     folder: Folder,
-    interactions: Annotated[int, arg(help="Random actions to learn from.")] = 2000,
-    looks: Annotated[int, arg(help="Objects to look at besides.")] = 4000,
+    interactions: Annotated[int, arg(help="Random actions to learn from.")] = ACTED,
+    looks: Annotated[int, arg(help="Objects to look at besides.")] = LOOKED,
     seed: Seed = 0,
     workers: Workers = CPUS,
 ) -> int:

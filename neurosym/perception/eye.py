@@ -1,4 +1,4 @@
-"""The eye: a small convolutional network that tells an object's crop in a few numbers.
+"""The eye, an image encoder: a small convolutional network that tells an object's crop in a few numbers.
 
 Bits, promises and plans know crops by these numbers only. `neurosym.learning.eye_lesson` teaches it; what
 looks needs nothing but numpy, so that a number is the same whatever else is looked at.

@@ -25,7 +25,7 @@ from neurosym.sim.depth_camera import DepthCamera
 from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP, SOLID, UNSEEN
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
-from neurosym.world import Frame, FrameSink, Outcome, Painter, Reference, Scene, WorldFactory, check_action
+from neurosym.world import Frame, Outcome, Painter, Reference, Scene, WorldFactory, check_action
 
 SIZES = ("s_x", "s_y", "d")
 """Features that are seen by plain geometry; networks are not shown them."""
@@ -118,9 +118,8 @@ class CameraWorld:
         found = self.look(scene)
         if len(found) != len(scene):
             return None
-        nearest = [
-            int(np.argmin(np.linalg.norm(self._spots(found) - at[:2], axis=1))) for at in scene.positions
-        ]
+        spots = np.array([one.position[:2] for one in found])
+        nearest = [int(np.linalg.norm(spots - at[:2], axis=1).argmin()) for at in scene.positions]
         if len({*nearest}) != len(scene):
             return None
         shown = [found[number] for number in nearest]
@@ -135,22 +134,14 @@ class CameraWorld:
         target: int,
         *,
         put_down: bool = True,
-        on_frame: FrameSink | None = None,
-        ghosts: Float[np.ndarray, "M 3"] | None = None,
         reference: Reference | None = None,
+        **pictures: Any,
     ) -> Outcome:
         """Perform one action, and look again (see `World.interact`)."""
         check_action(self, scene, action, target, reference)
+        how = {"put_down": put_down, "reference": reference, **pictures}
         with self._like_mine(scene) as world:
-            done = world.interact(
-                _truth(scene),
-                action,
-                target,
-                put_down=put_down,
-                on_frame=on_frame,
-                ghosts=ghosts,
-                reference=reference,
-            )
+            done = world.interact(_truth(scene), action, target, **how)
         lifted = _moved(scene, done.start, done.lifted)  # where the simulator says
         is_at_rest = put_down or not done.held
         end = self._seen_again(scene, done) if is_at_rest else lifted
@@ -219,10 +210,6 @@ class CameraWorld:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return CameraWorld, (self.config, self._eye_file)
-
-    @staticmethod
-    def _spots(found: Sequence[Region]) -> Float[np.ndarray, "N 2"]:
-        return np.array([one.position[:2] for one in found]).reshape(-1, 2)
 
 
 def _with_truth(seen: Scene, truth: Scene) -> Scene:

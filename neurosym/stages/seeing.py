@@ -8,6 +8,7 @@ import numpy as np
 from scipy.ndimage import zoom
 
 from neurosym.checks import check_count
+from neurosym.choices import ACTED, LOOKED
 from neurosym.data.foreign_tables import read_images, read_interactions
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import too_few
@@ -23,8 +24,6 @@ from neurosym.worlds.world_file import read_world, sees
 if TYPE_CHECKING:
     from neurosym.perception.eye import Eye
 
-ACTED, LOOKED = 2000, 4000
-"""From so many random actions an eye learns, and from so many objects besides that it only looks at."""
 _DRAWS = 50  # of a scene with one object, until the camera sees just that
 _HIGHEST = 0.1  # images of a user's own are scaled to so much, as crops are high [m]
 _STREAM = 0x736565  # keeps their draws apart from others

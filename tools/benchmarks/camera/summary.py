@@ -102,9 +102,8 @@ def page(summary: Mapping[str, Any]) -> str:
         _seeing(summary["seen"]),
         "## Learning from the same interactions",
         "The interactions that `domains/tabletop` was learned from, over seeds of training, in the quick "
-        "regime. R2 is of "
-        "effects on interactions that were held out of all learning, that of the eye, too: without "
-        "bits, through 2 + 4 bits, and the second as a share of the first.",
+        "regime. R2 is of effects that were held out of all learning, that of the eye, too. It is told "
+        "without bits, through 2 + 4 bits, and the second as a share of the first.",
         _same(summary["same"]),
         "## Learning and doing",
         "`neurosym run --interactions 6000`, in either world, over seeds. Whether a goal is reached is "
