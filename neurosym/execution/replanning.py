@@ -11,7 +11,7 @@ from neurosym.grounding import Grounding
 from neurosym.operators import Operator
 from neurosym.planners.planner import UNTOLD, Effort, PlanStatus
 from neurosym.planners.registry import Replanner
-from neurosym.problems import THIS_RUN, Problem, SceneObject, Trial, pair_key
+from neurosym.problems import THIS_RUN, Problem, Trial, pair_key
 from neurosym.tasks.lying import as_it_shows, lying, righted
 from neurosym.tasks.options import put_named
 from neurosym.tasks.pasts import (
@@ -21,6 +21,7 @@ from neurosym.tasks.pasts import (
     forgetting,
     is_given_up,
     motion_of,
+    never_seen,
     past_of,
     trial_of,
     with_pasts,
@@ -40,7 +41,6 @@ from neurosym.world import Outcome
 LAST_HOPE = 4
 """After how many failures in a row a pair is not hoped for again, if there is no plan otherwise."""
 _Key = tuple[str, str]
-_STRAIGHT = (0.0, 0.0, 0.0, 1.0)  # how objects lie that are learned of
 
 
 @dataclass(slots=True)
@@ -61,8 +61,8 @@ class Experience:
         """
         hopeless = set[_Key]()
         for item in problem.objects:
-            shown = msgspec.structs.replace(_unseen(as_it_shows(item, self.grounding)), orientation=_STRAIGHT)
-            so_far = _unseen(item, self._seen.get(item.name, ()))
+            shown = never_seen(as_it_shows(item, self.grounding))
+            so_far = msgspec.structs.replace(item, past=tuple(self._seen.get(item.name, ())) or msgspec.UNSET)
             trials = as_it_lies(so_far, self.grounding.turned)
             for operator in promised(self.grounding, shown, problem.tolerance).values():
                 rows = [one for one in trials if one.motion == motion_of(operator)]
@@ -112,11 +112,6 @@ class Experience:
             if not any(kept[-most:]) and (is_faint or len(kept) >= most):
                 shares |= dict.fromkeys(names, 0.0)
         return msgspec.structs.replace(problem, objects=tuple(objects), foreseen=foreseen, conditions=())
-
-
-def _unseen(item: SceneObject, past: Sequence[Trial] = ()) -> SceneObject:
-    """Return an object as if this was all that had been seen of it."""
-    return msgspec.structs.replace(item, past=tuple(past) or msgspec.UNSET)
 
 
 def _way(operator: Operator) -> str:

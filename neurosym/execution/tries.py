@@ -13,7 +13,7 @@ from neurosym.operators import Operator
 from neurosym.planners.registry import plan
 from neurosym.problems import Problem, SceneObject, Trial
 from neurosym.tasks.lying import as_it_shows
-from neurosym.tasks.pasts import GRASPED, as_it_lies, keeps, motion_of, past_of, trial_of
+from neurosym.tasks.pasts import GRASPED, as_it_lies, keeps, motion_of, never_seen, past_of, trial_of
 from neurosym.tasks.promises import promised
 from neurosym.tasks.transition import PlanStep
 from neurosym.world import Table, World
@@ -22,7 +22,6 @@ _STREAM = 0x6D656574  # keeps the randomness of tries apart from any other
 SURELY = 0.5
 """An object that is carried more rarely than that is tried to be carried as those of other categories are."""
 _DRAWS = 100
-_STRAIGHT = (0.0, 0.0, 0.0, 1.0)  # how objects lie that are learned of
 _NEAR = 0.1  # nothing is carried to a place that is nearer to where it stands [m]
 
 
@@ -112,8 +111,8 @@ def _place(item: SceneObject, table: Table) -> tuple[float, float]:
 def said_of(item: SceneObject, grounding: Grounding) -> str:
     """Say what an object of some past looks like, whether it does as it looks, and how it is best handled."""
     known = promised(grounding, msgspec.structs.replace(item, past=past_of(item)))
-    plain = msgspec.structs.replace(item, past=msgspec.UNSET, orientation=_STRAIGHT)
-    promises = {motion_of(one): one.promise for one in promised(grounding, plain).values() if one.promise}
+    usual = promised(grounding, never_seen(item)).values()
+    promises = {motion_of(one): one.promise for one in usual if one.promise}
     shown = [one for one in as_it_lies(item, grounding.turned) if one.motion in promises and not one.crowded]
     kept = sum(keeps(promises[one.motion], one) for one in shown)
     does = f", and did as such objects do {kept} of {counted(len(shown), 'time')}" if shown else ""

@@ -10,6 +10,7 @@ promise what they promise to the category.
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from types import MappingProxyType
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -179,17 +180,22 @@ def _turned(operator: Operator, angle: float) -> Operator:
 
 def _rarer(operator: Operator, category: Category, features: tuple[float, ...]) -> Operator:
     """Return an operator as it promises for its category, and more rarely keeps with what is unlike all."""
-    promise, plain = operator.promise, _plain(operator)
-    if promise is None:
-        return plain
+    if (promise := operator.promise) is None:
+        return _plain(operator)
     outside = _outside(np.array(rehearsed_objects(operator, category)), features)
-    mode = msgspec.structs.replace(promise, near_mean=round(promise.near_mean * OUTSIDE**outside))
-    outcomes = tuple(mode if other is promise else other for other in operator.outcomes)
-    return msgspec.structs.replace(plain, outcomes=outcomes)
+    return _promising(operator, near_mean=round(promise.near_mean * OUTSIDE**outside))
 
 
 def _plain(operator: Operator) -> Operator:
     return msgspec.structs.replace(operator, rehearsals=(), objects=()) if operator.rehearsals else operator
+
+
+def _promising(operator: Operator, **told: Any) -> Operator:
+    """Return an operator whose promise tells something else."""
+    outcomes = (
+        msgspec.structs.replace(one, **told) if one is operator.promise else one for one in operator.outcomes
+    )
+    return msgspec.structs.replace(_plain(operator), outcomes=tuple(outcomes))
 
 
 @lru_cache(maxsize=16384)
@@ -209,8 +215,8 @@ def refined(
     is_held = promise.kind == "held"
     resting = (*values[:2].tolist(), promise.resting_effect[2])
     resting_spread = (*spreads[:2].tolist(), promise.resting_spread[2])
-    mode = msgspec.structs.replace(
-        promise,
+    return _promising(
+        operator,
         count=so,
         share=so / operator.trials,
         near_mean=kept,
@@ -219,8 +225,6 @@ def refined(
         resting_effect=resting,
         resting_spread=resting_spread,
     )
-    outcomes = tuple(mode if other is promise else other for other in operator.outcomes)
-    return msgspec.structs.replace(operator, outcomes=outcomes, rehearsals=(), objects=())
 
 
 @lru_cache(maxsize=2048)
