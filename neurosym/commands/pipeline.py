@@ -11,7 +11,7 @@ from typing import Annotated, Any, Optional
 
 from tyro.conf import arg
 
-from neurosym.choices import BUDGET, DEFAULT_STRATEGY, is_factory
+from neurosym.choices import ACTED, BUDGET, DEFAULT_STRATEGY, is_factory
 from neurosym.commands.arguments import CPUS, Folder, Seed, Workers, opened
 from neurosym.commands.learn import (
     ActionBits,
@@ -35,11 +35,21 @@ from neurosym.stages.learning import AIMS, TO_OBJECTS, TO_PLACES, ledger_of
 from neurosym.stages.plan_records import PlanRecord, written_steps
 from neurosym.stages.planning import plan_stage
 from neurosym.stages.problem_making import Asked, problem_stage
-from neurosym.stages.rounds import Recipe, Round, Share, budget_of, explored_in, grow, perform, rounds
+from neurosym.stages.rounds import (
+    Recipe,
+    Round,
+    Share,
+    budget_of,
+    explored_in,
+    grow,
+    perform,
+    rounds,
+    seen_in,
+)
 from neurosym.stages.seeing import see_stage
 from neurosym.stages.verdicts import Tries, judge_domain, judge_tries, worst
 from neurosym.world import World, references_of
-from neurosym.worlds.world_file import read_world, sees
+from neurosym.worlds.world_file import SEEING, read_world, sees
 
 _PLANNER = "fast-downward"
 _MOST_PROBLEMS = 30
@@ -97,7 +107,8 @@ def run(
     operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
     if interactions is not None:  # refuse too few before a folder is made
         names = (layout.OBJECTS, layout.PLACES)[: 1 if places == 0 or is_factory(world or "") else 2]
-        rounds(interactions, names, dict(zip(names, operators, strict=False)), {})
+        least, seen = dict(zip(names, operators, strict=False)), ACTED if world == SEEING else 0
+        rounds(interactions, names, least, {}, seen)
     domain = _begun(folder, world)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = explored_in(domain)[layout.OBJECTS] or None
@@ -139,7 +150,16 @@ def _plan(
     _check_aims(folder, world, asked[1], asked[2])
     aims = [aim.folder for aim, is_asked in zip(AIMS, asked, strict=True) if is_asked]
     least = dict(zip((layout.OBJECTS, layout.PLACES), operators, strict=True))
-    return rounds(interactions, aims, least, {layout.PLACES: places, layout.RELATIONS: relations})
+    most = {layout.PLACES: places, layout.RELATIONS: relations}
+    return rounds(interactions, aims, least, most, _seen_by(folder))
+
+
+def _seen_by(folder: DomainFolder) -> int:
+    """Count what teaches an eye, or did."""
+    if (folder / layout.BUDGET).exists():
+        return budget_of(folder).seen
+    is_to_see = sees(folder / layout.WORLD) and not folder.there(layout.EYE)
+    return ACTED if is_to_see else seen_in(folder)
 
 
 def _begun(folder: Folder, world: str | None) -> DomainFolder:

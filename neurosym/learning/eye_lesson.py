@@ -58,7 +58,7 @@ class _Eye(nn.Module):
 
     def weights(self) -> dict[str, np.ndarray]:
         """Return what it learned, by the names that `Eye` knows."""
-        found = {name: value.numpy().copy() for name, value in self.state_dict().items()}
+        found = {name: value.numpy().astype(np.float64) for name, value in self.state_dict().items()}
         mean, variance = found.pop("norm.running_mean"), found.pop("norm.running_var")
         del found["norm.num_batches_tracked"]
         return {**found, "mean": mean, "variance": variance}

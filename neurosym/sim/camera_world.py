@@ -115,7 +115,10 @@ class CameraWorld:
 
     def seen(self, scene: Scene) -> Scene | None:
         """Return a scene of the tabletop as it is seen; None if objects are not told apart."""
-        found = self.look(scene)
+        return self.told(scene, self.look(scene))
+
+    def told(self, scene: Scene, found: Sequence[Region]) -> Scene | None:
+        """Return a scene as `seen` does, in which these objects were found."""
         if len(found) != len(scene):
             return None
         spots = np.array([one.position[:2] for one in found])
@@ -142,8 +145,14 @@ class CameraWorld:
         how = {"put_down": put_down, "reference": reference, **pictures}
         with self._like_mine(scene) as world:
             done = world.interact(_truth(scene), action, target, **how)
-        lifted = _moved(scene, done.start, done.lifted)  # where the simulator says
-        is_at_rest = put_down or not done.held
+        return self.witnessed(scene, done, is_at_rest=put_down or not done.held)
+
+    def witnessed(self, scene: Scene, done: Outcome, *, is_at_rest: bool = True) -> Outcome:
+        """Return an outcome on the tabletop as it is seen, where it began with a scene that was seen so.
+
+        What is not at rest in the end is where the simulator says.
+        """
+        lifted = _moved(scene, done.start, done.lifted)
         end = self._seen_again(scene, done) if is_at_rest else lifted
         return replace(done, start=scene, lifted=lifted if done.held else end, end=end)
 

@@ -369,7 +369,7 @@ def distill_stage(
 
         model = EffectModel.load(folder.require(of_model))
         direct = [DirectModel.load(folder.require(name)) for name in networks]
-        interactions = Interactions.load(folder.require(data))
+        interactions = _explored(folder, aim)
         for name, one in zip((of_model, *networks), (model, *direct), strict=True):
             if problem := model_misfit(one.dimensions, interactions.columns, interactions.origin):
                 raise InvalidFile(folder / name, problem)
@@ -416,9 +416,30 @@ def distill_stage(
     # which axes a user names decides nothing here
     world = () if read_axes(folder / layout.WORLD) else (layout.WORLD, *folder.there(layout.EYE))
     builds_on = () if networks else aim.builds_on
-    inputs = tuple(dict.fromkeys((*world, *builds_on, aim.categories, of_model, *networks, data, *besides)))
+    explored = data, *_taught(folder, aim)
+    inputs = tuple(
+        dict.fromkeys((*world, *builds_on, aim.categories, of_model, *networks, *explored, *besides))
+    )
     outputs = (aim.table, *map(aim.file, aim.foresees))
     return Stage(aim.stage("distill"), inputs, outputs, work, options, Claim.ALONE)
+
+
+def _explored(folder: DomainFolder, aim: Aim) -> Interactions:
+    """Load what was explored for an aim; what taught an eye to see objects was random, and counts, too."""
+    found = Interactions.load(folder.require(aim.file(layout.INTERACTIONS)))
+    for name in _taught(folder, aim):
+        more = Interactions.load(folder / name)
+        for column, rows in found.columns.items():
+            if (width := rows.shape[1:]) != (other := more.columns[column].shape[1:]):
+                said = f"its {column} have the shape (N, {other[0]}), and those of {layout.INTERACTIONS} "
+                raise InvalidFile(folder / name, f"{said}(N, {width[0]}); see again, or explore anew")
+        found = found.join(more)
+    return found
+
+
+def _taught(folder: DomainFolder, aim: Aim) -> tuple[str, ...]:
+    """Name the file with what taught an eye, if it tells of an aim, too."""
+    return folder.there(layout.SEEN) if aim is OBJECTS else ()
 
 
 def ledger_of(folder: DomainFolder, aim: Aim, workers: int = 1, free: int = 0) -> Ledger:
@@ -490,8 +511,7 @@ def train_stage(
         from neurosym.learning.network import EffectModel
         from neurosym.learning.training import train
 
-        path = folder.require(data)
-        interactions = Interactions.load(path)
+        path, interactions = folder.require(data), _explored(folder, aim)
         if problems := training_problems(interactions.columns, interactions.origin):
             raise InvalidFile(path, problems[0])
         if aim.axes not in (None, axes := interactions.effects.shape[1]):
@@ -522,5 +542,9 @@ def train_stage(
     options: dict[str, Any] = {"seed": seed, "regime": regime}
     options |= {} if aim.bits else network.unusual_bits()
     options |= held.options
-    inputs = (*((layout.WORLD, *folder.there(layout.EYE)) if aim.besides else ()), data)
+    inputs = (
+        *((layout.WORLD, *folder.there(layout.EYE)) if aim.besides else ()),
+        data,
+        *_taught(folder, aim),
+    )
     return Stage(aim.stage("train"), inputs, tuple(map(aim.file, learned)), work, options, Claim.ALONE)

@@ -75,6 +75,7 @@ class Budget(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """What the rounds that are done were spent on, by what was aimed at."""
 
     rounds: tuple[dict[str, Spent], ...] = ()
+    seen: Count = 0  # interactions that taught an eye before
 
     @property
     def last(self) -> Mapping[str, Spent]:
@@ -84,7 +85,7 @@ class Budget(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     @property
     def total(self) -> int:
         """All interactions that were performed, whatever for."""
-        return sum(one.explored + one.performed for one in self.last.values())
+        return self.seen + sum(one.explored + one.performed for one in self.last.values())
 
     @property
     def shares(self) -> "Round":
@@ -113,6 +114,7 @@ def rounds(
     aims: Sequence[str],
     operators: Mapping[str, int],
     most: Mapping[str, int | None],
+    seen: int = 0,
 ) -> list[Round]:
     """Say how much each aim gets in each round, all rounds before it included.
 
@@ -121,20 +123,22 @@ def rounds(
         aims: Their folders.
         operators: How many operators there are, where it is known.
         most: How many interactions explore at most, where it is said.
+        seen: How many of the ceiling teach an eye before.
 
     Raises:
         InvalidValue: If so few interactions are of no use.
     """
     weights = {name: _WEIGHTS[name] for name in aims}
     every = sum(weights.values())
-    ceiling = _EACH * every if ceiling is None else ceiling
+    ceiling = (_EACH * every if ceiling is None else ceiling) - seen
     known = [name for name in weights if name in operators]
     least = {n: math.ceil(_SEEN * operators[n] * every / weights[n] / (1 - _EXPLORED)) for n in known}
     if ceiling < least[name := max(least, key=lambda name: least[name])]:
         of = f" of {name}" if name else ""
+        of += f" besides {seen} that teach an eye" if seen else ""
         raise InvalidValue(
-            f"--interactions {ceiling} are too few for {operators[name]} operators{of}, which are to be "
-            f"seen {_SEEN} times each; give at least {least[name]}, or fewer bits."
+            f"--interactions {ceiling + seen} are too few for {operators[name]} operators{of}, which are to "
+            f"be seen {_SEEN} times each; give at least {least[name] + seen}, or fewer bits."
         )
     doubled = (_FIRST * every << number for number in range(ceiling.bit_length()))
     plan = list[Round]()
@@ -252,7 +256,8 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
         perform(folder, compile_stage(folder, cell=CELL))
         return
     if is_open and not (folder / layout.BUDGET).exists():
-        write_json(folder / layout.BUDGET, Budget())  # it says that there are rounds
+        budget = Budget(seen=seen_in(folder))
+        write_json(folder / layout.BUDGET, budget)  # it says that there are rounds
     count = len(budget.rounds) + len(left)
     with folder.claimed(Claim.SHARED), _workshop(folder) as workshop:
         for shares in left:
@@ -264,7 +269,7 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
                 for aim in AIMS
                 if aim.folder in shares
             }
-            budget = Budget((*budget.rounds, {**budget.last, **spent}))
+            budget = Budget((*budget.rounds, {**budget.last, **spent}), budget.seen)
             if is_open:
                 write_json(workshop / layout.BUDGET, budget)
             _publish(workshop, folder)
@@ -280,6 +285,11 @@ def explored_in(folder: DomainFolder) -> Counter[str]:
     return Counter({name: len(Interactions.load(path)) for name, path in paths.items() if path.is_file()})
 
 
+def seen_in(folder: DomainFolder) -> int:
+    """Count what was performed to teach an eye."""
+    return len(Interactions.load(folder / layout.SEEN)) if folder.there(layout.SEEN) else 0
+
+
 def perform(folder: DomainFolder, stage: Stage) -> None:
     """Perform a stage unless it is done already, and say which."""
     done = folder.perform(stage, again=False)
@@ -291,7 +301,7 @@ def _files() -> tuple[str, ...]:
     """Name the files that rounds change."""
     from neurosym.exploration.loop import INTERACTIONS_FILE, STATE_FILE  # which takes seconds
 
-    names = [layout.WORLD, layout.EYE, layout.BUDGET]
+    names = [layout.WORLD, layout.EYE, layout.SEEN, layout.BUDGET]
     for aim in AIMS:
         learned = layout.MODEL, *aim.networks, *aim.besides, *aim.foresees, layout.TRAINING, layout.LEDGER
         names += map(aim.file, (STATE_FILE, INTERACTIONS_FILE, layout.INTERACTIONS, *learned))

@@ -18,11 +18,13 @@ from neurosym.primitives.ledger import Ledger
 from neurosym.stages import layout
 from neurosym.stages.console import progress_bar
 from neurosym.stages.folder import Claim, DomainFolder, Stage, versions
+from neurosym.world import Scene
 from neurosym.worlds.workers import Task, check_workers
-from neurosym.worlds.world_file import read_world, sees
+from neurosym.worlds.world_file import origin_of, read_world, sees
 
 if TYPE_CHECKING:
     from neurosym.perception.eye import Eye
+    from neurosym.perception.regions import Region
 
 _DRAWS = 50  # of a scene with one object, until the camera sees just that
 _HIGHEST = 0.1  # images of a user's own are scaled to so much, as crops are high [m]
@@ -66,13 +68,15 @@ def seen_in(
 def seen_ledger(folder: DomainFolder, workers: int = 1) -> Ledger:
     """Open what was performed for the eye of a folder to learn from; see `Ledger`."""
     name, options = read_world(folder.require(layout.WORLD)).args
-    return Ledger(folder / layout.SEEN, {"world": name, **options, "versions": versions()}, workers)
+    return Ledger(folder / layout.ACTED, {"world": name, **options, "versions": versions()}, workers)
 
 
 def see_stage(
     folder: DomainFolder, *, acted: int = ACTED, looked: int = LOOKED, seed: int, workers: int
 ) -> Stage:
-    """Teach the eye of a world that sees: `world.toml` -> `eye.safetensors`, and what it learned from.
+    """Teach the eye of a world that sees: `world.toml` -> `eye.safetensors` and `seen.npz`.
+
+    The second holds what it learned from, as it sees it; other networks learn from that, too.
 
     Args:
         folder: The domain folder.
@@ -96,21 +100,19 @@ def see_stage(
             )
         factory = read_world(path)
         world: Any = factory()
-        scenes, crops = list[Any](), list[np.ndarray]()
+        looks = list[tuple[Scene, "Region"]]()
         with progress_bar("looking at objects") as advance:
             for number in range(acted + looked):
-                scene, crop = _drawn(world, seed, number)
-                crops.append(crop)
-                scenes += [scene] if number < acted else []
+                looks.append(_drawn(world, seed, number))
                 advance(number + 1, acted + looked)
         drawn = (np.random.default_rng([seed, _STREAM, number, 1]) for number in range(acted))
         actions = np.array([world.action_box.sample(rng, 1)[0] for rng in drawn]).astype(np.float32)
-        tasks = [Task(scene, action) for scene, action in zip(scenes, actions, strict=True)]
+        tasks = [Task(scene, action) for (scene, _), action in zip(looks, actions, strict=False)]
         ledger = seen_ledger(folder, workers)
         with progress_bar("acting to learn to see") as advance:
             outcomes = ledger.perform(world.blind, tasks, "seen", advance)
         done = Interactions.from_outcomes(outcomes, actions, origin_of_world(world.table_world))
-        shown = np.array(crops).astype(np.float32)
+        shown = np.array([found.crop for _, found in looks]).astype(np.float32)
         with progress_bar("learning to see") as advance:
             eye = teach(
                 shown[:acted],
@@ -120,18 +122,23 @@ def see_stage(
                 progress=lambda stage, share: advance(round(100 * share), 100, stage),
             )
         eye.save(folder / layout.EYE)
+        world.eye = eye
+        begun = (world.told(scene, [found]) for scene, found in looks)
+        seen = [world.witnessed(*one) for one in zip(begun, outcomes, strict=False)]
+        known = origin_of_world(world) | origin_of(factory)
+        Interactions.from_outcomes(seen, actions, known).save(folder / layout.SEEN)
 
     options = {"interactions": acted, "looks": looked, "seed": seed}
-    return Stage("see", (layout.WORLD,), (layout.EYE,), work, options, Claim.ALONE)
+    return Stage("see", (layout.WORLD,), (layout.EYE, layout.SEEN), work, options, Claim.ALONE)
 
 
-def _drawn(world: Any, seed: int, number: int) -> tuple[Any, np.ndarray]:
+def _drawn(world: Any, seed: int, number: int) -> tuple[Scene, "Region"]:
     """Draw an object, and look at it; one that is not seen as one object is drawn again."""
     rng = np.random.default_rng([seed, _STREAM, number])
     for _ in range(_DRAWS):
         scene = world.table_world.sample_scene(rng, 1)
         if len(found := world.look(scene)) == 1:
-            return scene, found[0].crop
+            return scene, found[0]
     raise InvalidValue(
         f"The camera does not tell a single object in {_DRAWS} scenes; see [options.camera] in world.toml."
     )

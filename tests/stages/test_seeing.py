@@ -1,17 +1,23 @@
 """An eye is taught in a domain folder: resumed, with any workers, and refused where it cannot be."""
 
+import shutil
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from command_line import neurosym
 
 from neurosym.commands.learn import make_domain_folder
+from neurosym.data.interactions import Interactions
 from neurosym.errors import InvalidValue
 from neurosym.files import digest
 from neurosym.primitives import ledger
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.seeing import see_stage, seen_ledger
+from neurosym.stages.learning import OBJECTS, _explored, train_stage
+from neurosym.stages.seeing import _drawn, see_stage, seen_ledger
+from neurosym.worlds.world_file import read_world
 
 FEW = {"acted": 24, "looked": 12, "seed": 3}
 
@@ -46,7 +52,8 @@ def test_an_eye_is_the_same_interrupted_and_with_any_workers(taught, tmp_path, m
     assert 8 <= len(seen_ledger(folder)) < 24
     monkeypatch.setattr(ledger.Ledger, "_write", write)
     folder.perform(see_stage(folder, workers=2, **FEW), again=False)
-    assert digest(folder / layout.EYE) == digest(taught / layout.EYE)
+    for name in (layout.EYE, layout.SEEN):
+        assert digest(folder / name) == digest(taught / name)
 
 
 def test_commands_work_on_what_is_seen_and_tell_a_damaged_eye(taught, capsys):
@@ -60,6 +67,25 @@ def test_commands_work_on_what_is_seen_and_tell_a_damaged_eye(taught, capsys):
         assert layout.EYE in capsys.readouterr().err
     finally:
         (taught / layout.EYE).write_bytes(whole)
+
+
+def test_what_taught_the_eye_teaches_the_networks_as_it_is_seen(taught, tmp_path, capsys):
+    folder = DomainFolder(shutil.copytree(taught.path, tmp_path / "copy"))
+    seen, acted = Interactions.load(folder / layout.SEEN), seen_ledger(folder).interactions({})
+    assert seen.effects == pytest.approx(acted.effects, abs=0.01)
+    assert seen.actions.tobytes() == acted.actions.tobytes()
+    world = read_world(folder / layout.WORLD)()
+    begun = [world.seen(_drawn(world, FEW["seed"], number)[0]) for number in range(len(seen))]
+    assert seen.features == pytest.approx(np.array([one.features[0] for one in begun]))
+    assert neurosym("explore", str(folder.path), "--steps", "24", "--workers", "1") == 0
+    assert len(_explored(folder, OBJECTS)) == 24 + len(seen)
+    assert layout.SEEN in train_stage(folder, seed=0, regime="quick").inputs
+    replace(seen, features=seen.features[:, :3], origin={}).save(folder / layout.SEEN)
+    capsys.readouterr()
+    assert neurosym("train", str(folder.path), "--regime", "quick") == 2
+    assert (
+        "its features have the shape (N, 3), and those of interactions.npz (N, 8)" in capsys.readouterr().err
+    )
 
 
 def test_what_has_no_camera_or_no_eye_is_refused(tmp_path, capsys):
