@@ -25,8 +25,7 @@ from neurosym.sim.camera_world import CameraWorld
 from neurosym.sim.shapes import FEATURE_NAMES
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.learning import AIMS, ledger_of
-from neurosym.stages.rounds import explored_in
+from neurosym.stages.rounds import budget_of
 from neurosym.world import Scene
 from tools.benchmarks import options
 from tools.benchmarks.camera import seeing
@@ -44,8 +43,6 @@ FIRST_SHAPE = 848_000
 WORLDS = {"features": "tabletop", "images": "camera"}
 CELLS = {"single": (1, 50), "far-1": (1, 20), "far-4": (4, 20)}
 """What is tried: objects of a task, and how many tasks for each seed."""
-INTERACTIONS = 6000
-"""So many are performed at most, besides those that teach an eye."""
 KEPT = (layout.WORLD, layout.EYE, layout.MODEL, layout.TRAINING, layout.GROUNDING, layout.BUDGET)
 NOISY = "noisy"
 TRUE = len(FEATURE_NAMES)
@@ -98,7 +95,7 @@ def main(
 def learn(work: Path, kind: str, seed: int) -> dict[str, Any]:
     """Learn a domain by one command, and keep what it takes to try it; say what that took."""
     begin, folder, copy = cpu_seconds(), work / f"{kind}-run-{seed}", work / f"{kind}-{seed}"
-    run(folder, world=WORLDS[kind], seed=seed, interactions=INTERACTIONS, workers=1, problems=0)
+    run(folder, world=WORLDS[kind], seed=seed, workers=1, problems=0)
     cpu, domain = cpu_seconds() - begin, DomainFolder(folder)
     for name in (*KEPT, layout.PLACE_OPERATORS):
         if (folder / name).exists():
@@ -114,7 +111,7 @@ def learn(work: Path, kind: str, seed: int) -> dict[str, Any]:
     report = read_json(folder / layout.TRAINING, TrainingReport)
     return {
         "cpu": cpu,
-        "interactions": explored_in(domain).total() + sum(len(ledger_of(domain, aim)) for aim in AIMS),
+        "interactions": budget_of(domain).total,
         "kinds": measures.kinds(folder) or [],
         "r2": report.r2_through_codes,
         "direct_r2": report.r2_direct,

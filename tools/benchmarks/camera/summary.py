@@ -106,7 +106,7 @@ def page(summary: Mapping[str, Any]) -> str:
         "without bits, through 2 + 4 bits, and the second as a share of the first.",
         _same(summary["same"]),
         "## Learning and doing",
-        "`neurosym run --interactions 6000`, in either world, over seeds. Whether a goal is reached is "
+        "`neurosym run`, in either world, over seeds. Whether a goal is reached is "
         "told as objects are seen there. With noise, what was learned without noise is tried in a "
         "world with noise.",
         _doing(summary["tasks"]),
