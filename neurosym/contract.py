@@ -37,7 +37,7 @@ from neurosym.world import (
 
 Result = TypeVar("Result")
 
-OPTIONAL = ("picture", "open_window")  # methods that a world may have besides
+OPTIONAL = ("picture", "images", "open_window")  # methods that a world may have besides
 SETTABLE = ("wanted_pictures", "painter")  # attributes that others set, if a world has them
 _ENDINGS: tuple[str, ...] = get_args(Disturbance)
 _KINDS_OF_REFERENCE: tuple[str, ...] = get_args(ReferenceKind)
@@ -88,6 +88,8 @@ class Guarded:
         self.table = Table(world.table.x, world.table.y)
         if hasattr(world, "picture"):
             self.picture = self._picture
+        if hasattr(world, "images"):
+            self.images = self._images
         if hasattr(world, "open_window"):
             self.open_window = lambda: self._attempt("open_window", world.open_window)
         for name in SETTABLE:
@@ -148,6 +150,11 @@ class Guarded:
         frame = self._attempt("picture", lambda: self._world.picture(scene, ghosts))
         self._check_frame(frame, "picture")
         return np.array(frame)
+
+    def _images(self, scene: Scene) -> Float[np.ndarray, "M side side"]:
+        images = self._attempt("images", lambda: self._world.images(scene))
+        self._refuse("what images returns", _image_problems(images, len(scene)))
+        return np.array(images, dtype=np.float64)
 
     def _check_frame(self, frame: object, where: str) -> None:
         if not (isinstance(frame, np.ndarray) and frame.dtype == np.uint8 and frame.ndim == 3):
@@ -275,6 +282,15 @@ def _drawn_problems(world: World, scene: Any, objects: int) -> Iterator[str]:
     for position in scene.positions:
         if not world.table.contains(position):
             yield f"samples an object off its table, at {position.tolist()}"
+
+
+def _image_problems(images: Any, objects: int) -> Iterator[str]:
+    if not isinstance(images, np.ndarray) or images.dtype.kind not in "fiu":
+        yield f"gives images of type {getattr(images, 'dtype', type(images).__name__)}; valid: floats [m]"
+    if images.ndim != 3 or len(images) != objects or images.shape[1] != images.shape[2] or images.size == 0:
+        yield f"gives images of shape {images.shape} of {counted(objects, 'object')}; valid: (M, side, side)"
+    if not np.all(np.isfinite(images)):
+        yield "gives images that are not finite"
 
 
 def _outcome_problems(

@@ -21,7 +21,7 @@ LAYERS = {
     "data": "",
     "perception": "data",
     "sim": "perception",
-    "worlds": "sim tasks data",
+    "worlds": "perception sim tasks data",
     "learning": "data tasks perception",
     "exploration": "worlds data learning",
     "primitives": "worlds data learning tasks",

@@ -129,15 +129,15 @@ def _training(folder: DomainFolder) -> str:
     )
 
 
-def categories_table(categories: tuple[Category, ...]) -> str:
-    """Say which objects are in which category."""
+def categories_table(categories: tuple[Category, ...], besides: Sequence[str] = ("mean type",)) -> str:
+    """Say which objects are in which category; features besides sizes have these names."""
     rows = []
     for category in (one for one in categories if one.share):
-        *means, kind = category.feature_means
-        pairs = zip(means, category.feature_spreads, strict=False)
-        sizes = [f"{1000 * mean:.0f} ± {1000 * spread:.0f}" for mean, spread in pairs]
-        rows.append([category.symbol, category.name, f"{category.share:.0%}", *sizes, f"{kind:.1f}"])
-    return table(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", "mean type"], rows)
+        means, spreads = category.feature_means, category.feature_spreads
+        sizes = [f"{1000 * one:.0f} ± {1000 * by:.0f}" for one, by in zip(means, spreads, strict=True)][:3]
+        others = [f"{mean:.1f}" for mean in means[3:]]
+        rows.append([category.symbol, category.name, f"{category.share:.0%}", *sizes, *others])
+    return table(["bits", "name", "share", "s_x [mm]", "s_y [mm]", "d [mm]", *besides], rows)
 
 
 def operators_table(operators: tuple[Operator, ...], grounding: Grounding) -> str:

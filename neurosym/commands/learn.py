@@ -84,8 +84,10 @@ def init(
         return 0
     if not (world == "tabletop" and _write_own_axes(folder)):
         make_domain_folder(folder, world)
+    from neurosym.worlds.world_file import sees
+
     command = "train" if (folder / layout.INTERACTIONS).is_file() else "explore"
-    command = "see" if world == "camera" else command
+    command = "see" if sees(folder / layout.WORLD) else command
     say_next(f"neurosym {'distill' if (folder / layout.MODEL).is_file() else command} {quoted(folder)}")
     return 0
 

@@ -39,12 +39,12 @@ from neurosym.stages.rounds import (
     Recipe,
     Round,
     Share,
+    acted_in,
     budget_of,
     explored_in,
     grow,
     perform,
     rounds,
-    seen_in,
 )
 from neurosym.stages.seeing import see_stage
 from neurosym.stages.verdicts import Tries, judge_domain, judge_tries, worst
@@ -159,7 +159,7 @@ def _seen_by(folder: DomainFolder) -> int:
     if (folder / layout.BUDGET).exists():
         return budget_of(folder).seen
     is_to_see = sees(folder / layout.WORLD) and not folder.there(layout.EYE)
-    return ACTED if is_to_see else seen_in(folder)
+    return ACTED if is_to_see else acted_in(folder)
 
 
 def _begun(folder: Folder, world: str | None) -> DomainFolder:
@@ -208,10 +208,9 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
     purposes = Counter(explored=explored_in(folder).total())
     for aim in AIMS:
         purposes += ledger_of(folder, aim).purposes
-    learned = purposes.total()
     if see := folder.manifest().stages.get("see"):
         purposes["seen"] = see.options["interactions"]
-    if learned >= (total := budget_of(folder).total):  # all is kept that was performed
+    if purposes.total() >= (total := budget_of(folder).total):  # all is kept that was performed
         told = ", ".join(f"{count} {purpose}" for purpose, count in purposes.items())
         say(f"{counted(purposes.total(), 'interaction')}: {told}")
     else:

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
+from scipy.ndimage import zoom
 
 from neurosym.checks import Float, check_array
 from neurosym.data.archives import read_tensors, write_tensors
@@ -36,6 +37,12 @@ def _shapes() -> dict[str, tuple[int, ...]]:
     for name, sizes in {"hidden": (FLAT, CHANNELS[-1] * side**2), "told": (NUMBERS, FLAT)}.items():
         shapes |= {f"{name}.weight": sizes, f"{name}.bias": sizes[:1]}
     return {**shapes, "mean": (NUMBERS,), "variance": (NUMBERS,)}
+
+
+def as_crops(images: Float[np.ndarray, "N side side"]) -> Float[np.ndarray, "N cells cells"]:
+    """Scale images to the size that an eye takes."""
+    factors = (1, CELLS / images.shape[1], CELLS / images.shape[2])
+    return np.asarray(zoom(images, factors, order=1, grid_mode=True, mode="nearest"))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

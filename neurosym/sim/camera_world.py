@@ -5,10 +5,9 @@ only the simulator knows goes along as `Scene.unseen`, relative to where an obje
 simulator reads it, and an object that is moved by hand takes it along.
 """
 
-from collections.abc import Container, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass, field, fields, replace
-from functools import cached_property, partial
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -16,23 +15,22 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from neurosym.checks import Float
-from neurosym.contract import ObjectLimits, Part, PoseSink
-from neurosym.errors import InvalidValue, InvalidWorld, quoted
-from neurosym.perception.eye import NUMBERS, Eye
+from neurosym.contract import ObjectLimits, Part
+from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.perception.regions import Region, Sight, regions_of, track_all
+from neurosym.perception.seen_world import TOLD, SeenWorld
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.depth_camera import DepthCamera
 from neurosym.sim.shapes import OPEN_THROUGH, OPEN_TOP, SOLID, UNSEEN
 from neurosym.sim.simulation import Simulation
 from neurosym.sim.tabletop import Tabletop
-from neurosym.world import Frame, Outcome, Painter, Reference, Scene, WorldFactory, check_action
+from neurosym.world import Outcome, Scene
 
 SIZES = ("s_x", "s_y", "d")
 """Features that are seen by plain geometry; networks are not shown them."""
 _FEATURES, _PLACE, _TURN = slice(0, 4), slice(4, 7), slice(7, 11)  # columns of `Scene.unseen`
 _COLUMNS = 11
 _OFF_UNIT = 0.01  # how far from 1 the length of a quaternion may be
-_DRAWS = 50  # of scenes, until all objects are told apart
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +49,7 @@ class CameraTableConfig(TabletopConfig):
         return None
 
 
-class CameraWorld:
+class CameraWorld(SeenWorld):
     """The tabletop, whose objects are known by what a camera sees.
 
     What an action does to its target is told as on the tabletop; where everything stands in the end is
@@ -64,34 +62,16 @@ class CameraWorld:
     """
 
     name = "camera"
-    feature_names = (*SIZES, *(f"v{number}" for number in range(1, NUMBERS + 1)))
+    feature_names = (*SIZES, *TOLD)
     unshown = SIZES
+    table_world: Tabletop
 
     def __init__(self, config: CameraTableConfig | None = None, eye: Path | None = None):
         self.config = config or CameraTableConfig()
         plain = {one.name: getattr(self.config, one.name) for one in fields(TabletopConfig)}
-        self.table_world = Tabletop(TabletopConfig(**plain), self.name)
+        beneath = TabletopConfig(**plain)
+        super().__init__(Tabletop(beneath, self.name), partial(Tabletop, beneath), eye)
         self.config.camera.check_sees(self.config)
-        self._eye_file = eye
-        world = self.table_world
-        self.references, self.turns, self.table = world.references, world.turns, world.table
-        self.action_box, self.lift_height = world.action_box, world.lift_height
-        self.wanted_pictures: Container[int] | None = None
-        self.painter: Painter | None = None
-        self.on_pose: PoseSink | None = None
-
-    @property
-    def blind(self) -> WorldFactory:
-        """What makes the tabletop without a camera."""
-        return partial(Tabletop, self.table_world.config)
-
-    @cached_property
-    def eye(self) -> Eye:
-        """What tells crops in numbers."""
-        if self._eye_file is None or not self._eye_file.is_file():
-            folder = quoted(self._eye_file.parent) if self._eye_file else "DIR"
-            raise InvalidValue(f"This world has not learned to see yet; `neurosym see {folder}` teaches it.")
-        return Eye.load(self._eye_file)
 
     def look(self, scene: Scene) -> list[Region]:
         """Find the objects of a scene, given as the simulator knows it, before the hand comes."""
@@ -104,18 +84,6 @@ class CameraWorld:
         poses = simulation.observe()
         seed = b"".join(one.tobytes() for one in (scene.features, poses.positions, poses.orientations))
         return self.config.camera.look(self.table_world.client(), seed)
-
-    def sample_scene(self, rng: np.random.Generator, objects: int) -> Scene:
-        """Draw objects at rest, all of which are told apart (see `World.sample_scene`)."""
-        for _ in range(_DRAWS):
-            scene = self.table_world.sample_scene(rng, objects)
-            if (seen := self.seen(scene)) is not None:
-                return seen
-        raise InvalidValue(f"{objects} objects cannot be told apart on the table; ask for fewer.")
-
-    def seen(self, scene: Scene) -> Scene | None:
-        """Return a scene of the tabletop as it is seen; None if objects are not told apart."""
-        return self.told(scene, self.look(scene))
 
     def told(self, scene: Scene, found: Sequence[Region]) -> Scene | None:
         """Return a scene as `seen` does, in which these objects were found."""
@@ -130,22 +98,9 @@ class CameraWorld:
         turns = Rotation.from_euler("z", [[one.heading] for one in shown]).as_quat(canonical=True)
         return _with_truth(Scene(features, np.array([one.position for one in shown]), turns), scene)
 
-    def interact(
-        self,
-        scene: Scene,
-        action: Float[np.ndarray, "A"],
-        target: int,
-        *,
-        put_down: bool = True,
-        reference: Reference | None = None,
-        **pictures: Any,
-    ) -> Outcome:
-        """Perform one action, and look again (see `World.interact`)."""
-        check_action(self, scene, action, target, reference)
-        how = {"put_down": put_down, "reference": reference, **pictures}
-        with self._like_mine(scene) as world:
-            done = world.interact(_truth(scene), action, target, **how)
-        return self.witnessed(scene, done, is_at_rest=put_down or not done.held)
+    def beneath(self, scene: Scene) -> Scene:
+        """Return a scene as the simulator knows it (see `truth_of`)."""
+        return truth_of(scene)
 
     def witnessed(self, scene: Scene, done: Outcome, *, is_at_rest: bool = True) -> Outcome:
         """Return an outcome on the tabletop as it is seen, where it began with a scene that was seen so.
@@ -175,29 +130,12 @@ class CameraWorld:
         told = track_all(sight, sizes, positions, orientations, target)
         return _with_truth(Scene(scene.features, told.positions, told.orientations), done.end)
 
-    def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
-        """Draw a scene without the arm (see `Pictured.picture`)."""
-        with self._like_mine(scene) as world:
-            return world.picture(_truth(scene), ghosts)
-
     def object_parts(self, features: Float[np.ndarray, "F"], *unseen: Sequence[float]) -> tuple[Part, ...]:
         """Return what an object is drawn with: as it is, or else a box of the sizes that are seen."""
         if unseen and unseen[0]:
             known = np.array(unseen[0])
             return self.table_world.object_parts(known[_FEATURES], *([known[_COLUMNS:].tolist()]))
         return self.table_world.object_parts(np.array([*features[:3], 0.0]))
-
-    @contextmanager
-    def _like_mine(self, scene: Scene) -> Iterator[Tabletop]:
-        """Give the tabletop for a while what was set here; colours are by what is seen."""
-        world = self.table_world
-        world.wanted_pictures, world.on_pose = self.wanted_pictures, self.on_pose
-        painter = self.painter
-        world.painter = None if painter is None else lambda _: painter(scene.features)
-        try:
-            yield world
-        finally:
-            world.wanted_pictures = world.on_pose = world.painter = None
 
     def robot_parts(self) -> tuple[Part, ...]:
         """Return what the arm is drawn with (see `Posed.robot_parts`)."""
@@ -210,12 +148,6 @@ class CameraWorld:
     def open_window(self) -> None:
         """Show everything that happens from now on live in a window (see `Windowed.open_window`)."""
         self.table_world.open_window()
-
-    def __getattr__(self, name: str) -> Any:
-        """Give what else the tabletop has."""
-        if name.startswith("_") or name == "object_limits":
-            raise AttributeError(name)
-        return getattr(self.table_world, name)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return CameraWorld, (self.config, self._eye_file)
@@ -230,7 +162,7 @@ def _with_truth(seen: Scene, truth: Scene) -> Scene:
     return replace(seen, unseen=unseen)
 
 
-def _truth(scene: Scene) -> Scene:
+def truth_of(scene: Scene) -> Scene:
     """Return a scene as the simulator knows it.
 
     Raises:

@@ -256,7 +256,7 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
         perform(folder, compile_stage(folder, cell=CELL))
         return
     if is_open and not (folder / layout.BUDGET).exists():
-        budget = Budget(seen=seen_in(folder))
+        budget = Budget(seen=acted_in(folder))
         write_json(folder / layout.BUDGET, budget)  # it says that there are rounds
     count = len(budget.rounds) + len(left)
     with folder.claimed(Claim.SHARED), _workshop(folder) as workshop:
@@ -285,7 +285,7 @@ def explored_in(folder: DomainFolder) -> Counter[str]:
     return Counter({name: len(Interactions.load(path)) for name, path in paths.items() if path.is_file()})
 
 
-def seen_in(folder: DomainFolder) -> int:
+def acted_in(folder: DomainFolder) -> int:
     """Count what was performed to teach an eye."""
     return len(Interactions.load(folder / layout.SEEN)) if folder.there(layout.SEEN) else 0
 

@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.ndimage import zoom
 
 from neurosym.checks import check_count
 from neurosym.choices import ACTED, LOOKED
@@ -13,7 +12,7 @@ from neurosym.data.foreign_tables import read_images, read_interactions
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import too_few
 from neurosym.errors import InvalidFile, InvalidValue
-from neurosym.perception.regions import CELLS
+from neurosym.perception.eye import as_crops
 from neurosym.primitives.ledger import Ledger
 from neurosym.stages import layout
 from neurosym.stages.console import progress_bar
@@ -24,7 +23,7 @@ from neurosym.worlds.world_file import origin_of, read_world, sees
 
 if TYPE_CHECKING:
     from neurosym.perception.eye import Eye
-    from neurosym.perception.regions import Region
+    from neurosym.perception.seen_world import Shown
 
 _DRAWS = 50  # of a scene with one object, until the camera sees just that
 _HIGHEST = 0.1  # images of a user's own are scaled to so much, as crops are high [m]
@@ -49,9 +48,7 @@ def seen_in(
     data = read_interactions(path, columns, lambda _: None, told=np.zeros((len(images), 1)))
     if problem := too_few(len(data)):
         raise InvalidFile(path, problem)
-    crops = zoom(
-        images, (1, CELLS / images.shape[1], CELLS / images.shape[2]), order=1, grid_mode=True, mode="nearest"
-    )
+    crops = as_crops(images)
     crops *= _HIGHEST / (np.abs(crops).max() or 1.0)
     with progress_bar("learning to see") as advance:
         eye = teach(
@@ -67,8 +64,8 @@ def seen_in(
 
 def seen_ledger(folder: DomainFolder, workers: int = 1) -> Ledger:
     """Open what was performed for the eye of a folder to learn from; see `Ledger`."""
-    name, options = read_world(folder.require(layout.WORLD)).args
-    return Ledger(folder / layout.ACTED, {"world": name, **options, "versions": versions()}, workers)
+    blind = {**origin_of(read_world(folder.require(layout.WORLD))), "eye": None, "versions": versions()}
+    return Ledger(folder / layout.ACTED, blind, workers)
 
 
 def see_stage(
@@ -96,11 +93,12 @@ def see_stage(
         path = folder.require(layout.WORLD)
         if not sees(path):
             raise InvalidValue(
-                f"{path} names a world without a camera; `neurosym init DIR --world camera` makes one with."
+                f"{path} names a world that sees nothing; `neurosym init DIR --world camera` makes one that "
+                "does, and so does a world of your own with a method images."
             )
         factory = read_world(path)
         world: Any = factory()
-        looks = list[tuple[Scene, "Region"]]()
+        looks = list[tuple[Scene, "Shown"]]()
         with progress_bar("looking at objects") as advance:
             for number in range(acted + looked):
                 looks.append(_drawn(world, seed, number))
@@ -132,7 +130,7 @@ def see_stage(
     return Stage("see", (layout.WORLD,), (layout.EYE, layout.SEEN), work, options, Claim.ALONE)
 
 
-def _drawn(world: Any, seed: int, number: int) -> tuple[Scene, "Region"]:
+def _drawn(world: Any, seed: int, number: int) -> tuple[Scene, "Shown"]:
     """Draw an object, and look at it; one that is not seen as one object is drawn again."""
     rng = np.random.default_rng([seed, _STREAM, number])
     for _ in range(_DRAWS):

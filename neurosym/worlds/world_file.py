@@ -32,6 +32,8 @@ WORLDS = {
 }
 """The worlds that can be named: what their options make, without a simulator, and what that makes."""
 
+_WITH_IMAGES = "neurosym.worlds.image_world:ImageWorld"
+
 
 def _imported(name: str) -> Any:
     module, _, attribute = name.partition(":")
@@ -144,8 +146,8 @@ def make_world(name: str, options: dict[str, Any], eye: Path | None = None) -> W
 
 
 def sees(path: Path) -> bool:
-    """Say whether a `world.toml` names the world whose objects are known by what a camera sees."""
-    return path.is_file() and _read(path)[0] == SEEING
+    """Say whether a `world.toml` names a world whose objects are known by what an eye tells of them."""
+    return has_world(path) and "eye" in getattr(read_world(path), "keywords", {})
 
 
 def read_world(path: Path) -> "partial[World] | OwnFactory":
@@ -158,20 +160,28 @@ def read_world(path: Path) -> "partial[World] | OwnFactory":
     if name == NONE or read_axes(path):
         said = f'it says world = "{name}", and names axes, so it is no world with a table and an arm'
         raise InvalidFile(path, said)
+    eye = path.absolute().with_name(EYE)
     with blaming(path):
         if is_factory(name):
             _check_finite(options)
             own = OwnFactory(name, options, path.parent)
-            own()
-            return own
-        make_world(name, options)
-    if name != SEEING:
-        return partial(make_world, name, options)
-    seeing = partial(make_world, name, options, eye=path.absolute().with_name(EYE))
-    if seeing.keywords["eye"].is_file():
+            if not hasattr(own(), "images"):
+                return own
+            seeing: partial[World] = partial(_imported(_WITH_IMAGES), own, eye=eye)
+        elif make_world(name, options).name != SEEING:
+            return partial(make_world, name, options)
+        else:
+            seeing = partial(make_world, name, options, eye=eye)
+    if eye.is_file():
         world: Any = seeing()
         assert world.eye, "a damaged one is told of before anything is learned"
     return seeing
+
+
+def _asked_of(factory: "partial[World] | OwnFactory") -> tuple[str, dict[str, Any]]:
+    """Return the name and the options of a world that was read."""
+    name, options = factory.args[0].args if isinstance(factory.args[0], OwnFactory) else factory.args
+    return name, options
 
 
 def read_limits(path: Path) -> ObjectLimits | None:
@@ -213,12 +223,12 @@ def origin_of(factory: "partial[World] | OwnFactory") -> dict[str, Any]:
     Args:
         factory: What `read_world` returned.
     """
-    name, options = factory.args
-    if is_factory(name):
-        plain = json.loads(json.dumps(options, default=str))  # TOML has dates, JSON has not
-        return {"world": name, "world_options": plain}
+    name, options = _asked_of(factory)
     eye = factory.keywords.get("eye") if isinstance(factory, partial) else None
     known = {"eye": digest(eye)} if eye and eye.is_file() else {}
+    if is_factory(name):
+        plain = json.loads(json.dumps(options, default=str))  # TOML has dates, JSON has not
+        return {"world": name, "world_options": plain, **known}
     return {"world_options": asdict(_configured(name, options)), **known}
 
 

@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from neurosym.errors import InvalidValue, InvalidWorld
 from neurosym.perception.eye import NUMBERS, Eye, _shapes
-from neurosym.sim.camera_world import CameraTableConfig, CameraWorld, _truth
+from neurosym.sim.camera_world import CameraTableConfig, CameraWorld, truth_of
 from neurosym.sim.depth_camera import DepthCamera
 from neurosym.world import OtherObject, Place, Scene
 from neurosym.worlds.own_world import check_world
@@ -37,7 +37,7 @@ def test_objects_are_seen_near_to_where_they_are(eye: Path, camera: DepthCamera,
     world, rng = CameraWorld(CameraTableConfig(camera=camera), eye), np.random.default_rng(4)
     for objects in (1, 3, 5):
         scene = world.sample_scene(rng, objects)
-        truth = _truth(scene)
+        truth = truth_of(scene)
         assert scene.positions == pytest.approx(truth.positions, abs=near)
         assert scene.features[:, :3] == pytest.approx(truth.features[:, :3], abs=size)
         assert np.all(truth.features[:, :2] >= 0.03)
@@ -49,10 +49,10 @@ def test_actions_do_what_they_do_on_the_tabletop_and_their_ends_are_seen(eye: Pa
         scene, action = world.sample_scene(rng, 1), world.action_box.sample(rng, 1)[0]
         outcome, truth = (
             world.interact(scene, action, 0),
-            world.table_world.interact(_truth(scene), action, 0),
+            world.table_world.interact(truth_of(scene), action, 0),
         )
         assert outcome.kind == truth.kind
-        assert _truth(outcome.end).positions == pytest.approx(truth.end.positions, abs=1e-9)
+        assert truth_of(outcome.end).positions == pytest.approx(truth.end.positions, abs=1e-9)
         assert outcome.resting_effect == pytest.approx(truth.resting_effect, abs=0.006)
         moved += bool(np.linalg.norm(truth.resting_effect) > 0.01)
     assert moved >= 3
@@ -61,14 +61,14 @@ def test_actions_do_what_they_do_on_the_tabletop_and_their_ends_are_seen(eye: Pa
 def test_an_object_that_is_moved_by_hand_takes_what_it_is_along(eye: Path):
     world = CameraWorld(eye=eye)
     scene = world.sample_scene(np.random.default_rng(1), 1)
-    away = _truth(scene).positions - scene.positions
+    away = truth_of(scene).positions - scene.positions
     turn = Rotation.from_euler("z", 90, degrees=True)
     turned = (turn * Rotation.from_quat(scene.orientations)).as_quat()
     there = replace(scene, positions=scene.positions + np.array([0.05, -0.03, 0.0]), orientations=turned)
-    truth = _truth(there)
+    truth = truth_of(there)
     assert truth.positions - there.positions == pytest.approx(turn.apply(away), abs=1e-12)
     assert np.linalg.norm(away) > 1e-5
-    ways = Rotation.from_quat(truth.orientations) * Rotation.from_quat(_truth(scene).orientations).inv()
+    ways = Rotation.from_quat(truth.orientations) * Rotation.from_quat(truth_of(scene).orientations).inv()
     assert np.degrees(ways.magnitude()) == pytest.approx([90], abs=1e-6)
 
 
@@ -145,11 +145,11 @@ def test_what_touches_or_stands_on_another_is_seen(eye: Path):
     for aim in (OtherObject(1), Place(0.75, 0.1 - 0.08 - 0.03)):  # onto it, and close beside it
         outcome = world.interact(scene, action, 0, reference=aim)
         assert outcome.carried
-        truth = _truth(outcome.end)
+        truth = truth_of(outcome.end)
         assert outcome.end.positions == pytest.approx(truth.positions, abs=0.005)
         assert (outcome.end.positions[0, 2] > 0.05) == isinstance(aim, OtherObject)
         if isinstance(aim, Place):  # it is seen there, and not only believed to be where it was carried
-            done = replace(outcome, start=_truth(scene), end=truth, carried=False)
+            done = replace(outcome, start=truth_of(scene), end=truth, carried=False)
             assert world._seen_again(scene, done).positions == pytest.approx(truth.positions, abs=0.005)
 
 
@@ -158,6 +158,6 @@ def test_what_is_pushed_against_another_of_other_height_is_told_apart(eye: Path)
     scene = two(world, small, large, (0.6, 0.0), (0.6, 0.1))
     action = np.array([0, -0.05, -0.005, 0, 0, 0.03, -0.005, 0, 0, 0.05, -0.005, 0.0])
     outcome = world.interact(scene, action, 0)
-    truth = _truth(outcome.end)
-    assert np.linalg.norm(truth.positions - _truth(scene).positions, axis=1).min() > 0.03, "both moved"
+    truth = truth_of(outcome.end)
+    assert np.linalg.norm(truth.positions - truth_of(scene).positions, axis=1).min() > 0.03, "both moved"
     assert outcome.end.positions == pytest.approx(truth.positions, abs=0.006)

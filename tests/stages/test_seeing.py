@@ -90,7 +90,7 @@ def test_what_taught_the_eye_teaches_the_networks_as_it_is_seen(taught, tmp_path
 
 def test_what_has_no_camera_or_no_eye_is_refused(tmp_path, capsys):
     plain = begun(tmp_path / "plain", "toy")
-    with pytest.raises(InvalidValue, match="without a camera"):
+    with pytest.raises(InvalidValue, match="names a world that sees nothing"):
         plain.perform(see_stage(plain, workers=1, **FEW), again=False)
     blind = begun(tmp_path / "blind")
     assert neurosym("explore", str(blind.path), "--steps", "24") == 2

@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 from command_line import neurosym, refusal
 from documents import python_blocks
@@ -102,6 +103,70 @@ def test_documented_world_goes_the_whole_way_as_an_installed_command(here):
     assert "heavy = 0.5" in (here / "ice/world.toml").read_text()
     assert "(define (domain ice)" in (here / "ice/domain.pddl").read_text()
     assert "reached" in ended.stdout
+
+
+SHOWN = """
+import numpy as np
+from my_world import Ice
+
+class Shown(Ice):
+    def images(self, scene):
+        every = np.zeros((len(scene), 20, 20))
+        for image, (s_x, s_y, d, mass) in zip(every, scene.features):
+            along, across = (np.abs(np.linspace(-0.1, 0.1, 20)) < side / 2 for side in (s_x, s_y))
+            image[np.ix_(along, across)] = d * (0.2 if mass > self.heavy else 1.0)  # heavy: hollow
+        return every
+
+class Torn(Shown):
+    def images(self, scene):
+        return super().images(scene)[:, :, :-1]
+
+class Blank(Shown):
+    def images(self, scene):
+        return 0.0 * super().images(scene)
+
+def make(heavy: float = 0.5) -> Shown:
+    return Shown(heavy)
+
+def torn() -> Torn:
+    return Torn(0.5)
+
+def blank() -> Blank:
+    return Blank(0.5)
+"""
+
+
+@pytest.mark.evaluation  # half a minute of training
+def test_world_that_gives_images_goes_the_whole_way(here, capsys):
+    (here / "my_world.py").write_text(WORLD)
+    (here / "shown.py").write_text(SHOWN)
+    few = ["--interactions", "3000", "--regime", "quick", "--problems", "2"]
+    assert neurosym("run", "ice", "--world", "shown:make", *few) == 0
+    assert "2000 seen" in capsys.readouterr().out
+
+
+def test_eye_learns_in_a_world_that_gives_images_and_its_features_are_not_shown(here, capsys):
+    (here / "my_world.py").write_text(WORLD)
+    (here / "shown.py").write_text(SHOWN)
+    assert neurosym("init", "ice", "--world", "shown:make") == 0
+    assert "next: neurosym see ice" in capsys.readouterr().out
+    assert "has not learned to see yet" in refusal(capsys, "explore", "ice")
+    assert neurosym("see", "ice", "--interactions", "200", "--looks", "40", "--workers", "2") == 0
+    assert neurosym("explore", "ice", "--steps", "40", "--strategy", "random", "--workers", "2") == 0
+    factory = read_world(here / "ice/world.toml")
+    world = pickle.loads(pickle.dumps(factory))()
+    assert world.feature_names == ("s_x", "s_y", "d", "mass", "v1", "v2", "v3", "v4", "v5")
+    origin = Interactions.load(here / "ice/interactions.npz").origin
+    assert (origin["world"], origin["unshown"]) == ("shown:make", [0, 1, 2, 3])
+    scene = world.sample_scene(np.random.default_rng(3), 3)
+    outcome = world.interact(scene, np.array([1.0, 1.0]), 1)
+    assert outcome.end.features.tobytes() == scene.features.tobytes()
+    assert outcome.effect[:2] == pytest.approx([0.1, 0.1] if scene.features[1, 3] < 0.5 else [0.05, 0.05])
+    said = {"torn": "gives images of shape (1, 20, 19) of 1 object", "blank": "All crops look the same"}
+    for name, message in said.items():
+        assert neurosym("init", name, "--world", f"shown:{name}") == 0
+        capsys.readouterr()
+        assert message in refusal(capsys, "see", name, "--interactions", "40", "--looks", "0")
 
 
 def test_documented_use_with_gymnasium_works(capsys):

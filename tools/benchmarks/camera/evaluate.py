@@ -28,7 +28,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.rounds import budget_of
 from neurosym.world import Scene
 from tools.benchmarks import options
-from tools.benchmarks.camera import seeing
+from tools.benchmarks.camera import seeing, towers
 from tools.benchmarks.camera.summary import page, summarise
 from tools.benchmarks.carrying.tasks import is_graspable
 from tools.benchmarks.domains import bench_of
@@ -43,6 +43,8 @@ FIRST_SHAPE = 848_000
 WORLDS = {"features": "tabletop", "images": "camera"}
 CELLS = {"single": (1, 50), "far-1": (1, 20), "far-4": (4, 20)}
 """What is tried: objects of a task, and how many tasks for each seed."""
+TOWERS = 40
+"""So many towers are tried."""
 KEPT = (layout.WORLD, layout.EYE, layout.MODEL, layout.TRAINING, layout.GROUNDING, layout.BUDGET)
 NOISY = "noisy"
 TRUE = len(FEATURE_NAMES)
@@ -83,6 +85,16 @@ def main(
                         name = f"try-{kind}-{seed}-{cell}-{block.start}"
                         trying[name] = partial(attempt, work, kind, seed, cell, objects, block)
         evaluation.perform(trying, f"tasks with seed {seed}", report)
+    related: Jobs = {f"relate-{kind}-1": partial(relate, work, kind, 1) for kind in WORLDS}
+    evaluation.perform(related, "learning relations", report, fresh=True)
+    building, known = Jobs(), evaluation.found()
+    for kind in WORLDS:
+        if told := known.get(f"relate-{kind}-1"):
+            for block in blocks(options.scaled(scale, TOWERS), _BLOCK):
+                seeds = range(towers.FIRST_TOWER + block.start, towers.FIRST_TOWER + block.stop)
+                folder, words = work / f"{kind}-related-1", told["pairs"]["words"]
+                building[f"tower-{kind}-1-{block.start}"] = partial(towers.build, folder, words, seeds)
+    evaluation.perform(building, "towers", report)
     unseen: Jobs = {
         f"shape-{kind}-{shape}": partial(carry, work, kind, shape, range(FIRST_SHAPE, FIRST_SHAPE + count))
         for kind in WORLDS
@@ -116,6 +128,11 @@ def learn(work: Path, kind: str, seed: int) -> dict[str, Any]:
         "r2": report.r2_through_codes,
         "direct_r2": report.r2_direct,
     }
+
+
+def relate(work: Path, kind: str, seed: int) -> dict[str, Any]:
+    """Learn relations beside what was learned (see `towers.relate`)."""
+    return towers.relate(work / f"{kind}-run-{seed}", work / f"{kind}-related-{seed}", seed)
 
 
 def attempt(work: Path, kind: str, seed: int, cell: str, objects: int, block: Sequence[int]) -> list[Any]:

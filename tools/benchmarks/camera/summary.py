@@ -33,14 +33,14 @@ def summarise(found: Mapping[str, Any]) -> dict[str, Any]:
     tasks = {kind: {cell: _tried(found, kind, cell) for cell in _CELLS} for kind in (*KINDS, _NOISY)}
     images, learned = tasks["images"], {kind: _learned(found, kind) for kind in KINDS}
     seen = {name.removeprefix("seen-"): one for name, one in found.items() if name.startswith("seen-")}
-    still = seen.get("still", {})
+    still, towers = seen.get("still", {}), {kind: _towers(found, kind) for kind in KINDS}
     cpus = [mean_of(learned[kind]["cpu"]) for kind in KINDS]
     return {
         "share": mean_of(one["images"]["share"] for one in same),
         "direct_r2": mean_of(one["images"]["direct_r2"] for one in same),
         "drawn": {how: images["single"][how] for how in _SAID},
         "anywhere": {"1": images["far-1"]["replanned"], "4": images["far-4"]["replanned"]},
-        "towers_3": None,
+        "towers_3": towers["images"]["reached"],
         "seen_mm": {name: still[name][0] for name in ("position", "size") if still},
         "noisy_replanned": tasks[_NOISY]["single"]["replanned"],
         "kinds_by_seed": [len(kinds) for kinds in learned["images"]["kinds"]],
@@ -48,10 +48,24 @@ def summarise(found: Mapping[str, Any]) -> dict[str, Any]:
         "seen": seen,
         "same": {kind: [one[kind] for one in same] for kind in KINDS},
         "tasks": tasks,
+        "towers": towers,
         "learned": learned,
         "shapes": {kind: _shapes(found, kind) for kind in KINDS},
         "agree": [_agreement(one) for name, one in sorted(found.items()) if name.startswith("agree-")],
     }
+
+
+def _towers(found: Mapping[str, Any], kind: str) -> dict[str, Any]:
+    """Count towers that stand, and say what learning relations took."""
+    names = [name for name in sorted(found) if name.startswith(f"tower-{kind}-")]
+    trials = [trial for name in names for trial in found[name]]
+    reached = {
+        how: share_of(sum(trial.get(how, False) for trial in trials), len(trials))
+        for how in ("blind", "reached")
+    }
+    took = [one for name, one in sorted(found.items()) if name.startswith(f"relate-{kind}-")]
+    spent = {name: mean_of(one[name] for one in took) for name in ("cpu", "interactions")}
+    return {**reached, "tasks": len(trials), **spent}
 
 
 def _shapes(found: Mapping[str, Any], kind: str) -> dict[str, list[int]]:
@@ -111,6 +125,11 @@ def page(summary: Mapping[str, Any]) -> str:
         "world with noise.",
         _doing(summary["tasks"]),
         _learning(summary["learned"]),
+        "## Towers",
+        "Pairs were learned beside what the first seed had learned (`--relations 1024`). Three solid objects "
+        "of six shall stand on one another, the widest below, such that a person can build it. Geometry says "
+        "of things as they are whether they do.",
+        _building(summary["towers"]),
         "## Shapes never seen",
         "Carried to a point at least 15 cm away, replanned, by the domains of the first seed. A T and an L "
         "block have the same sizes and other crops. Look-alikes have sizes and crops as usual, and another "
@@ -161,6 +180,24 @@ def _doing(tasks: Mapping[str, Mapping[str, Mapping[str, Any]]]) -> str:
         if (one := cells[cell])["tasks"]
     ]
     return table(["tasks", "objects by", "tasks in all", *_SAID.values()], rows)
+
+
+def _building(towers: Mapping[str, Mapping[str, Any]]) -> str:
+    rows = [
+        [
+            kind,
+            str(one["tasks"]),
+            *(with_interval(one[how], one["tasks"]) for how in ("blind", "reached")),
+            f"{one['interactions']:,.0f}",
+            number(one["cpu"] / 60, 0),
+        ]
+        for kind, one in towers.items()
+        if one["tasks"]
+    ]
+    columns = (
+        "objects by | towers | followed blindly | replanned | interactions in all | CPU minutes for pairs"
+    )
+    return table(columns, rows) if rows else NOT_YET
 
 
 def _of_shapes(shapes: Mapping[str, Mapping[str, Sequence[int]]]) -> str:

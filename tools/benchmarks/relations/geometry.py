@@ -6,8 +6,9 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float
 
+from neurosym.sim.camera_world import truth_of
 from neurosym.sim.interaction import rotation
-from neurosym.sim.shapes import OPEN_TOP, SOLID
+from neurosym.sim.shapes import OPEN_TOP, SOLID, UNSEEN
 from neurosym.world import Outcome, Scene
 
 Relation = Literal["on", "in", "leaning", "against", "beside", "apart", "around"]
@@ -19,8 +20,8 @@ NEAR = 0.05  # what stands beside another is so near at most [m]
 
 
 def relation(outcome: Outcome, one: int, other: int) -> Relation:
-    """Say how one object stands to another in the end."""
-    scene, pair = outcome.end, (min(one, other), max(one, other))
+    """Say how one object stands to another in the end, as things are and not as a camera sees them."""
+    scene, pair = _as_it_is(outcome.end), (min(one, other), max(one, other))
     low, high = spans(scene, one)
     below, above = spans(scene, other)
     if is_inside(scene, one, other):
@@ -33,6 +34,10 @@ def relation(outcome: Outcome, one: int, other: int) -> Relation:
         return "on" if low[2] >= above[2] - SUNK else "against"
     gap = float(np.max(np.maximum(below - high, low - above)[:2]))
     return "beside" if gap <= NEAR else "apart"
+
+
+def _as_it_is(scene: Scene) -> Scene:
+    return truth_of(scene) if scene.unseen.shape[1] > len(UNSEEN) else scene
 
 
 def is_inside(scene: Scene, one: int, other: int) -> bool:
