@@ -39,6 +39,7 @@ Result = TypeVar("Result")
 
 OPTIONAL = ("picture", "images", "open_window")  # methods that a world may have besides
 SETTABLE = ("wanted_pictures", "painter")  # attributes that others set, if a world has them
+_DEEPEST = 10.0  # as high as anything may be in an image [m]
 _ENDINGS: tuple[str, ...] = get_args(Disturbance)
 _KINDS_OF_REFERENCE: tuple[str, ...] = get_args(ReferenceKind)
 
@@ -88,7 +89,7 @@ class Guarded:
         self.table = Table(world.table.x, world.table.y)
         if hasattr(world, "picture"):
             self.picture = self._picture
-        if hasattr(world, "images"):
+        if callable(getattr(world, "images", None)):
             self.images = self._images
         if hasattr(world, "open_window"):
             self.open_window = lambda: self._attempt("open_window", world.open_window)
@@ -152,7 +153,10 @@ class Guarded:
         return np.array(frame)
 
     def _images(self, scene: Scene) -> Float[np.ndarray, "M side side"]:
+        before = bytes_of(scene)
         images = self._attempt("images", lambda: self._world.images(scene))
+        if bytes_of(scene) != before:
+            raise InvalidWorld(self._called, "changes the scene that images is given")
         self._refuse("what images returns", _image_problems(images, len(scene)))
         return np.array(images, dtype=np.float64)
 
@@ -285,12 +289,14 @@ def _drawn_problems(world: World, scene: Any, objects: int) -> Iterator[str]:
 
 
 def _image_problems(images: Any, objects: int) -> Iterator[str]:
-    if not isinstance(images, np.ndarray) or images.dtype.kind not in "fiu":
+    if not isinstance(images, np.ndarray) or images.dtype.kind != "f":
         yield f"gives images of type {getattr(images, 'dtype', type(images).__name__)}; valid: floats [m]"
     if images.ndim != 3 or len(images) != objects or images.shape[1] != images.shape[2] or images.size == 0:
         yield f"gives images of shape {images.shape} of {counted(objects, 'object')}; valid: (M, side, side)"
     if not np.all(np.isfinite(images)):
         yield "gives images that are not finite"
+    if np.abs(images).max() > _DEEPEST:
+        yield f"gives images with a height of {np.abs(images).max():g} m; valid: {_DEEPEST:g} m at most"
 
 
 def _outcome_problems(

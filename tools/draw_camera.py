@@ -1,10 +1,13 @@
-"""Draw what the camera of a domain sees: `python -m tools.draw_camera DIR`, into docs/images/camera.png.
+"""Draw what the camera of a domain sees: `python -m tools.draw_camera`, into docs/images.
 
-Above, a scene from the side, and its depth image with the objects that are found in it. Below, of each object
-its crop with its bits, and what the first filters of the eye answer to it.
+In camera.png, above, a scene from the side, and its depth image with the objects that are found in it. Below,
+of each object its crop with its bits, and what the first filters of the eye answer to it. In
+camera-beside-features.png, a row for each category of a domain that knows true features: crops of its objects
+with their bits, first those that most of them have, and then others.
 """
 
 import math
+from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -17,17 +20,59 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.worlds.world_file import read_world
 from tools.benchmarks.options import ROOT
 
-PICTURE = ROOT / "docs/images/camera.png"
+SEES, KNOWS = ROOT / "domains/camera", ROOT / "domains/places"
+PICTURES = ROOT / "docs/images"
 SCENE, OBJECTS = 11, 5  # the seed of the scene, and how many objects it has
 WIDTH, TOP, SIDE, GAP = 1120, 380, 200, 20
 FILTERS = 8
 DARK, PAPER, MARK = (29, 29, 29), (255, 255, 255), (220, 60, 40)
 HIGH = 0.1  # what is drawn black [m]
+COMPARED, ALIKE, OTHERS, SMALL = 400, 5, 5, 96  # objects, those that are drawn of a category, and how large
 
 
-def main(path: tyro.conf.Positional[Path]) -> None:
-    """Draw it, for a folder that `neurosym run DIR --world camera` learned in."""
-    folder = DomainFolder(path)
+def main(sees: tyro.conf.Positional[Path] = SEES, knows: tyro.conf.Positional[Path] = KNOWS) -> None:
+    """Draw both, for a folder that `run DIR --world camera` learned in, and one with true features."""
+    for name, page in {
+        "camera.png": _scene(DomainFolder(sees)),
+        "camera-beside-features.png": _beside(DomainFolder(sees), DomainFolder(knows)),
+    }.items():
+        page.save(PICTURES / name)
+        print(f"wrote {PICTURES / name}")
+
+
+def _beside(sees: DomainFolder, knows: DomainFolder) -> Image.Image:
+    """Draw crops of objects by the category that they have by their true features."""
+    world: Any = read_world(sees / "world.toml")()
+    rng, known, crops, seen = np.random.default_rng(SCENE), [], [], []
+    while len(crops) < COMPARED:
+        truth = world.table_world.sample_scene(rng, 1)
+        if len(found := world.look(truth)) == 1:
+            known.append(truth.features[0])
+            crops.append(found[0].crop)
+            seen.append([*found[0].size, *world.eye.tell(found[0].crop)])
+    rows = knows.network().object_symbols(np.array(known))
+    bits = sees.network().object_symbols(np.array(seen))
+    names = sorted({*rows})
+    high = SMALL + GAP
+    page = Image.new("RGB", (GAP + (ALIKE + OTHERS + 1) * high + 2 * GAP, GAP + len(names) * high), PAPER)
+    draw, font = ImageDraw.Draw(page), ImageFont.load_default(15)
+    for row, name in enumerate(names):
+        mine = [n for n, one in enumerate(rows) if one == name]
+        most = Counter(bits[n] for n in mine).most_common(1)[0][0]
+        alike, others = ([n for n in mine if (bits[n] == most) == same] for same in (True, False))
+        top = GAP + row * high
+        draw.text((GAP, top + SMALL // 3), f"{name}: {len(mine)}", fill=DARK, font=font)
+        shown = [*enumerate(alike[:ALIKE], 1), *enumerate(others[:OTHERS], 1 + ALIKE)]
+        for column, n in shown:
+            x = GAP + column * high + 2 * GAP * (column > ALIKE)
+            page.paste(_grey(crops[n], SMALL), (x, top))
+            draw.rectangle((x, top, x + SMALL, top + SMALL), outline=DARK)
+            draw.text((x + 4, top + 2), bits[n], fill=MARK, font=font)
+    return page
+
+
+def _scene(folder: DomainFolder) -> Image.Image:
+    """Draw a scene, and what is seen in it."""
     world: Any = read_world(folder / "world.toml")()
     truth = world.table_world.sample_scene(np.random.default_rng(SCENE), OBJECTS)
     sight, found = world.sight_of(truth), world.look(truth)
@@ -54,8 +99,7 @@ def main(path: tyro.conf.Positional[Path]) -> None:
             small = SIDE // 4
             at = x + index % 4 * small, y + SIDE + GAP + index // 4 * small
             page.paste(_grey(answer, small - 2, high=float(answers.max()) or 1.0), at)
-    page.save(PICTURE)
-    print(f"wrote {PICTURE}")
+    return page
 
 
 def _grey(values: np.ndarray, side: int, high: float = HIGH) -> Image.Image:

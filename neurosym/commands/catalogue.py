@@ -23,7 +23,7 @@ GROUPS = {
     },
     "Learning, step by step": {
         "init": "Make a new domain folder with a `world.toml` that holds every option of its world.",
-        "see": "Teach the eye of a world with a camera: `world.toml` -> `eye.safetensors`.",
+        "see": "Teach the eye of a world that sees: `world.toml` -> `eye.safetensors` and `seen.npz`.",
         "explore": "Let the robot explore, curious or at random: `world.toml` -> `interactions.npz`.",
         "check": "Check a data set, of your own or explored, before it is trained on.",
         "train": "Fit the model whose bits are symbols: `interactions.npz` -> `effect_model.safetensors`.",

@@ -1,5 +1,6 @@
 """Commands that learn step by step, from `init`, which makes a domain folder, to `compile-domain`."""
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Annotated, Any, Literal, Optional
 
@@ -7,7 +8,15 @@ from tyro.conf import Positional, arg
 
 from neurosym.choices import ACTED, BUDGET, CELL, DEFAULT_STRATEGY, LOOKED, StrategyName
 from neurosym.commands.arguments import CPUS, Folder, Json, Seed, Workers, answer_in, opened, refuse_options
-from neurosym.errors import InvalidData, InvalidFile, InvalidValue, counted, listed_briefly, quoted
+from neurosym.errors import (
+    InvalidData,
+    InvalidFile,
+    InvalidValue,
+    NeurosymError,
+    counted,
+    listed_briefly,
+    quoted,
+)
 from neurosym.learning.training_config import DEFAULT_BITS, PAPER_BITS
 from neurosym.stages import layout
 from neurosym.stages.console import say, say_next
@@ -87,7 +96,8 @@ def init(
     from neurosym.worlds.world_file import sees
 
     command = "train" if (folder / layout.INTERACTIONS).is_file() else "explore"
-    command = "see" if sees(folder / layout.WORLD) else command
+    with suppress(NeurosymError):  # a world that needs an option is not made yet
+        command = "see" if sees(folder / layout.WORLD) else command
     say_next(f"neurosym {'distill' if (folder / layout.MODEL).is_file() else command} {quoted(folder)}")
     return 0
 
@@ -164,9 +174,10 @@ def see(
     seed: Seed = 0,
     workers: Workers = CPUS,
 ) -> int:
-    """Teach the eye of a world with a camera: `world.toml` -> `eye.safetensors`.
+    """Teach the eye of a world that sees: `world.toml` -> `eye.safetensors` and `seen.npz`.
 
-    It learns to tell the crop of an object in five numbers, from what random actions do to such objects.
+    It learns to tell the crop of an object in five numbers, from what random actions do to such objects. The
+    second file holds what was done and seen, from which `train` learns, too.
     Interrupt it when you like: the same command goes on.
     """
     from neurosym.stages.seeing import see_stage
@@ -261,7 +272,7 @@ def train(
 ) -> int:
     """Fit the model whose bits are symbols: `interactions.npz` -> `effect_model.safetensors`."""
     from neurosym.commands.tables import show_training
-    from neurosym.stages.learning import AIMS, OBJECTS, train_stage
+    from neurosym.stages.learning import AIMS, OBJECTS, explored_for, train_stage
     from neurosym.stages.value_stages import check_own
 
     domain = opened(folder)
@@ -274,7 +285,7 @@ def train(
             domain.perform(train_stage(domain, aim, seed=seed, regime=regime, **own), again=True)
             if aim.at:
                 say(f"actions aimed at {aim.at}:")
-            show_training(domain / aim.file(layout.TRAINING), data)
+            show_training(domain / aim.file(layout.TRAINING), explored_for(domain, aim))
     say_next(f"neurosym distill {quoted(folder)}")
     return 0
 

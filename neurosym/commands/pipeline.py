@@ -49,7 +49,7 @@ from neurosym.stages.rounds import (
 from neurosym.stages.seeing import see_stage
 from neurosym.stages.verdicts import Tries, judge_domain, judge_tries, worst
 from neurosym.world import World, references_of
-from neurosym.worlds.world_file import SEEING, read_world, sees
+from neurosym.worlds.world_file import SEEING, asked_of, read_world, sees
 
 _PLANNER = "fast-downward"
 _MOST_PROBLEMS = 30
@@ -105,7 +105,7 @@ def run(
     if steps is not None and interactions is not None:
         raise InvalidValue("--steps explores at once, and --interactions is a budget for rounds; give one.")
     operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
-    if interactions is not None:  # refuse too few before a folder is made
+    if interactions is not None and not (folder / layout.WORLD).exists():  # as far as a name tells
         names = (layout.OBJECTS, layout.PLACES)[: 1 if places == 0 or is_factory(world or "") else 2]
         least, seen = dict(zip(names, operators, strict=False)), ACTED if world == SEEING else 0
         rounds(interactions, names, least, {}, seen)
@@ -156,8 +156,6 @@ def _plan(
 
 def _seen_by(folder: DomainFolder) -> int:
     """Count what teaches an eye, or did."""
-    if (folder / layout.BUDGET).exists():
-        return budget_of(folder).seen
     is_to_see = sees(folder / layout.WORLD) and not folder.there(layout.EYE)
     return ACTED if is_to_see else acted_in(folder)
 
@@ -166,7 +164,7 @@ def _begun(folder: Folder, world: str | None) -> DomainFolder:
     """Return the domain folder, which is made if it is not there; or refuse it."""
     if not (folder / layout.WORLD).exists():
         make_domain_folder(folder, world or "tabletop")
-    elif world and (found := read_world(folder / layout.WORLD).args[0]) != world:
+    elif world and (found := asked_of(read_world(folder / layout.WORLD))[0]) != world:
         raise InvalidValue(f"{folder} is of the world {found!r}, not {world!r}; name another folder.")
     return opened(folder)
 
@@ -208,8 +206,7 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
     purposes = Counter(explored=explored_in(folder).total())
     for aim in AIMS:
         purposes += ledger_of(folder, aim).purposes
-    if see := folder.manifest().stages.get("see"):
-        purposes["seen"] = see.options["interactions"]
+    purposes += Counter(seen=acted_in(folder))
     if purposes.total() >= (total := budget_of(folder).total):  # all is kept that was performed
         told = ", ".join(f"{count} {purpose}" for purpose, count in purposes.items())
         say(f"{counted(purposes.total(), 'interaction')}: {told}")

@@ -27,13 +27,13 @@ from neurosym.values.domain import ValueDomain
 from neurosym.values.value_execution import ValueRun
 
 
-def show_training(path: Path, data: Path) -> None:
+def show_training(path: Path, found: Interactions) -> None:
     """Print how well a model fits interactions it was not trained on, beside trivial predictors.
 
     Raises:
-        InvalidFile: If one of them cannot be read.
+        InvalidFile: If the report cannot be read.
     """
-    report, found = read_json(path, TrainingReport), Interactions.load(data)
+    report = read_json(path, TrainingReport)
     errors = error_table(report, [axis["name"] for axis in found.origin.get("axes", ())])
     show_table(f"mean absolute error, {report.held_out} held-out interactions", *errors)
     is_none = report.share is None or report.r2_through_codes <= 0

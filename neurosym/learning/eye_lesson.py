@@ -135,7 +135,7 @@ def _mirrored(
     outcome_signs = torch.ones(len(rows), outcomes.shape[1])
     for mirror in samples.mirrors:
         coin = torch.randint(2, (len(rows),), generator=generator).bool()
-        for axis in mirror.effects:
+        for axis in (axis for axis in mirror.effects if axis < 2):  # a crop is seen from above
             crops = torch.where(coin[:, None, None], crops.flip(1 + axis), crops)
         signs = torch.where(coin, -1.0, 1.0)[:, None]
         action_signs[:, list(mirror.actions)] *= signs

@@ -25,7 +25,7 @@ class Shown(Protocol):
 
     @property
     def crop(self) -> Float[np.ndarray, "cells cells"]:
-        """How high it is above what it stands on, from straight above [m]."""
+        """Its heights, from straight above [m]."""
 
 
 class SeenWorld(ABC):
@@ -51,6 +51,8 @@ class SeenWorld(ABC):
             setattr(self, name, None)
         if hasattr(table_world, "picture"):
             self.picture = self._picture
+        if hasattr(table_world, "open_window"):
+            self.open_window = table_world.open_window
 
     @property
     def _settable(self) -> list[str]:

@@ -145,10 +145,6 @@ class CameraWorld(SeenWorld):
         """Return the poses of the arm's links while it waits (see `Posed.robot_at_rest`)."""
         return self.table_world.robot_at_rest()
 
-    def open_window(self) -> None:
-        """Show everything that happens from now on live in a window (see `Windowed.open_window`)."""
-        self.table_world.open_window()
-
     def __reduce__(self) -> tuple[Any, ...]:
         return CameraWorld, (self.config, self._eye_file)
 

@@ -9,8 +9,8 @@ interrupted exploration goes on from.
 from pathlib import Path
 
 WORLD = "world.toml"  # `init`: which world it is of, and the world's options
-EYE, SEEN, ACTED = "eye.safetensors", "seen.npz", "seen.safetensors"
-"""`see`, of a world with a camera: what tells crops in numbers; the interactions that taught it, as it sees
+EYE, SEEN, SEEN_LEDGER = "eye.safetensors", "seen.npz", "seen.safetensors"
+"""`see`, of a world that sees: what tells crops in numbers; the interactions that taught it, as it sees
 them; and the same as they were performed. `init --data` writes the first, too, for a table with images."""
 INTERACTIONS = "interactions.npz"
 """`explore`, or a script of a user's own (docs/data.md): a row for each interaction."""

@@ -369,7 +369,7 @@ def distill_stage(
 
         model = EffectModel.load(folder.require(of_model))
         direct = [DirectModel.load(folder.require(name)) for name in networks]
-        interactions = _explored(folder, aim)
+        interactions = explored_for(folder, aim)
         for name, one in zip((of_model, *networks), (model, *direct), strict=True):
             if problem := model_misfit(one.dimensions, interactions.columns, interactions.origin):
                 raise InvalidFile(folder / name, problem)
@@ -424,15 +424,21 @@ def distill_stage(
     return Stage(aim.stage("distill"), inputs, outputs, work, options, Claim.ALONE)
 
 
-def _explored(folder: DomainFolder, aim: Aim) -> Interactions:
-    """Load what was explored for an aim; what taught an eye to see objects was random, and counts, too."""
+def explored_for(folder: DomainFolder, aim: Aim) -> Interactions:
+    """Load what was explored for an aim; what taught an eye to see objects was random, and counts, too.
+
+    Raises:
+        InvalidFile: If a file is damaged, or the eye or the world is not that of what was explored.
+    """
     found = Interactions.load(folder.require(aim.file(layout.INTERACTIONS)))
-    for name in _taught(folder, aim):
+    for name in _taught(folder, aim) if is_explored(found.origin) else ():
         more = Interactions.load(folder / name)
-        for column, rows in found.columns.items():
-            if (width := rows.shape[1:]) != (other := more.columns[column].shape[1:]):
-                said = f"its {column} have the shape (N, {other[0]}), and those of {layout.INTERACTIONS} "
-                raise InvalidFile(folder / name, f"{said}(N, {width[0]}); see again, or explore anew")
+        of = ("world", "world_options", "eye")
+        widths = ({column: rows.shape[1:] for column, rows in one.columns.items()} for one in (found, more))
+        is_alike = all(found.origin.get(what) == more.origin.get(what) for what in of)
+        if not is_alike or next(widths) != next(widths):
+            said = f"it is of another eye or world than {layout.INTERACTIONS}"
+            raise InvalidFile(folder / name, f"{said}; remove that, and explore anew")
         found = found.join(more)
     return found
 
@@ -511,7 +517,7 @@ def train_stage(
         from neurosym.learning.network import EffectModel
         from neurosym.learning.training import train
 
-        path, interactions = folder.require(data), _explored(folder, aim)
+        path, interactions = folder.require(data), explored_for(folder, aim)
         if problems := training_problems(interactions.columns, interactions.origin):
             raise InvalidFile(path, problems[0])
         if aim.axes not in (None, axes := interactions.effects.shape[1]):

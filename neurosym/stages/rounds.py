@@ -38,7 +38,7 @@ from neurosym.stages.learning import (
 )
 from neurosym.stages.verdicts import judge_domain
 
-_SEEN = 5
+_TIMES = 5
 """So often an operator is to be seen at least, on average."""
 _FIRST = 400
 """Interactions of the first round, for each part of the weights."""
@@ -132,13 +132,13 @@ def rounds(
     every = sum(weights.values())
     ceiling = (_EACH * every if ceiling is None else ceiling) - seen
     known = [name for name in weights if name in operators]
-    least = {n: math.ceil(_SEEN * operators[n] * every / weights[n] / (1 - _EXPLORED)) for n in known}
+    least = {n: math.ceil(_TIMES * operators[n] * every / weights[n] / (1 - _EXPLORED)) for n in known}
     if ceiling < least[name := max(least, key=lambda name: least[name])]:
         of = f" of {name}" if name else ""
         of += f" besides {seen} that teach an eye" if seen else ""
         raise InvalidValue(
             f"--interactions {ceiling + seen} are too few for {operators[name]} operators{of}, which are to "
-            f"be seen {_SEEN} times each; give at least {least[name] + seen}, or fewer bits."
+            f"be seen {_TIMES} times each; give at least {least[name] + seen}, or fewer bits."
         )
     doubled = (_FIRST * every << number for number in range(ceiling.bit_length()))
     plan = list[Round]()
@@ -245,6 +245,7 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
         FolderTaken: If another process learns in the folder.
     """
     budget = budget_of(folder) if is_open else Budget()
+    budget = msgspec.structs.replace(budget, seen=max(budget.seen, acted_in(folder)))
     alone = {name: Share(count, 0) for name, count in explored_in(folder).items()}  # before there were rounds
     left = _left_of(plan, (budget.shares or alone) if is_open else {})
     for aim in (aim for aim in AIMS if aim.folder in plan[-1]):  # refuse a user's own data, and other draws
@@ -256,7 +257,6 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
         perform(folder, compile_stage(folder, cell=CELL))
         return
     if is_open and not (folder / layout.BUDGET).exists():
-        budget = Budget(seen=acted_in(folder))
         write_json(folder / layout.BUDGET, budget)  # it says that there are rounds
     count = len(budget.rounds) + len(left)
     with folder.claimed(Claim.SHARED), _workshop(folder) as workshop:

@@ -12,12 +12,13 @@ from neurosym.data.foreign_tables import read_images, read_interactions
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import too_few
 from neurosym.errors import InvalidFile, InvalidValue
+from neurosym.files import digests
 from neurosym.perception.eye import as_crops
 from neurosym.primitives.ledger import Ledger
 from neurosym.stages import layout
 from neurosym.stages.console import progress_bar
 from neurosym.stages.folder import Claim, DomainFolder, Stage, versions
-from neurosym.world import Scene
+from neurosym.world import Outcome, Scene
 from neurosym.worlds.workers import Task, check_workers
 from neurosym.worlds.world_file import origin_of, read_world, sees
 
@@ -65,7 +66,7 @@ def seen_in(
 def seen_ledger(folder: DomainFolder, workers: int = 1) -> Ledger:
     """Open what was performed for the eye of a folder to learn from; see `Ledger`."""
     blind = {**origin_of(read_world(folder.require(layout.WORLD))), "eye": None, "versions": versions()}
-    return Ledger(folder / layout.ACTED, blind, workers)
+    return Ledger(folder / layout.SEEN_LEDGER, blind, workers)
 
 
 def see_stage(
@@ -121,9 +122,15 @@ def see_stage(
             )
         eye.save(folder / layout.EYE)
         world.eye = eye
-        begun = (world.told(scene, [found]) for scene, found in looks)
-        seen = [world.witnessed(*one) for one in zip(begun, outcomes, strict=False)]
+        seen = list[Outcome]()
+        with progress_bar("looking at what came of it") as advance:
+            for number, ((scene, found), outcome) in enumerate(zip(looks, outcomes, strict=False), 1):
+                seen.append(world.witnessed(world.told(scene, [found]), outcome))
+                advance(number, acted)
         known = origin_of_world(world) | origin_of(factory)
+        known["eye"] = digests({layout.EYE: folder / layout.EYE})[
+            layout.EYE
+        ]  # not the one it takes the place of
         Interactions.from_outcomes(seen, actions, known).save(folder / layout.SEEN)
 
     options = {"interactions": acted, "looks": looked, "seed": seed}

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from neurosym.checks import Float
+from neurosym.errors import InvalidWorld
 from neurosym.perception.eye import NUMBERS, as_crops
 from neurosym.perception.seen_world import TOLD, SeenWorld
 from neurosym.world import Outcome, Scene
@@ -33,6 +34,10 @@ class ImageWorld(SeenWorld):
     def __init__(self, blind: OwnFactory, eye: Path):
         super().__init__(blind(), blind, eye)
         self.unshown = tuple(self.table_world.feature_names)
+        if taken := sorted({*self.unshown} & {*TOLD}):
+            raise InvalidWorld(
+                self.name, f"has a feature {taken[0]}, as what an eye tells is called; rename it"
+            )
         self.feature_names = (*self.unshown, *TOLD)
 
     def look(self, scene: Scene) -> list[Picture]:

@@ -61,6 +61,8 @@ def check_world(world: World) -> None:
     scene, again = (seen.sample_scene(np.random.default_rng(0), 1) for _ in range(2))
     if bytes_of(scene) != bytes_of(again):
         raise InvalidWorld(world.name, "samples another scene from a generator in the same state")
+    if callable(look := getattr(seen, "images", None)) and look(scene).tobytes() != look(scene).tobytes():
+        raise InvalidWorld(world.name, "gives other images of the same scene the second time")
     _check_memory(seen, scene)
     if broken := broken_mirror(seen):
         raise InvalidWorld(world.name, f"has an action_box with {broken}; leave that mirror out")
@@ -330,7 +332,11 @@ def _make(name: str, options: dict[str, Any], folder: Path) -> tuple[dict[str, A
     about = {attribute: getattr(_world, attribute) for attribute in _ATTRIBUTES}
     about |= {"references": references_of(_world), "object_limits": limits_of(_world)}
     about |= {name: None for name in ("wanted_pictures", "painter") if hasattr(_world, name)}
-    return about, float(patience), tuple(method for method in OPTIONAL if hasattr(_world, method))
+    return (
+        about,
+        float(patience),
+        tuple(method for method in OPTIONAL if callable(getattr(_world, method, None))),
+    )
 
 
 def _sample_scene(rng: np.random.Generator, objects: int) -> tuple[Scene, Any]:

@@ -147,7 +147,10 @@ def make_world(name: str, options: dict[str, Any], eye: Path | None = None) -> W
 
 def sees(path: Path) -> bool:
     """Say whether a `world.toml` names a world whose objects are known by what an eye tells of them."""
-    return has_world(path) and "eye" in getattr(read_world(path), "keywords", {})
+    if not has_world(path):
+        return False
+    name, _ = _read(path)
+    return name == SEEING or (is_factory(name) and "eye" in getattr(read_world(path), "keywords", {}))
 
 
 def read_world(path: Path) -> "partial[World] | OwnFactory":
@@ -165,7 +168,7 @@ def read_world(path: Path) -> "partial[World] | OwnFactory":
         if is_factory(name):
             _check_finite(options)
             own = OwnFactory(name, options, path.parent)
-            if not hasattr(own(), "images"):
+            if not callable(getattr(own(), "images", None)):
                 return own
             seeing: partial[World] = partial(_imported(_WITH_IMAGES), own, eye=eye)
         elif make_world(name, options).name != SEEING:
@@ -178,7 +181,7 @@ def read_world(path: Path) -> "partial[World] | OwnFactory":
     return seeing
 
 
-def _asked_of(factory: "partial[World] | OwnFactory") -> tuple[str, dict[str, Any]]:
+def asked_of(factory: "partial[World] | OwnFactory") -> tuple[str, dict[str, Any]]:
     """Return the name and the options of a world that was read."""
     name, options = factory.args[0].args if isinstance(factory.args[0], OwnFactory) else factory.args
     return name, options
@@ -223,7 +226,7 @@ def origin_of(factory: "partial[World] | OwnFactory") -> dict[str, Any]:
     Args:
         factory: What `read_world` returned.
     """
-    name, options = _asked_of(factory)
+    name, options = asked_of(factory)
     eye = factory.keywords.get("eye") if isinstance(factory, partial) else None
     known = {"eye": digest(eye)} if eye and eye.is_file() else {}
     if is_factory(name):

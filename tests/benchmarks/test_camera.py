@@ -34,7 +34,7 @@ FOUND = {
         {"status": "unsolvable"},
     ],
     "try-noisy-1-single-0": [{"blind": LOST, "replanned": GOAL}],
-    "relate-images-1": {"cpu": 120.0, "interactions": 13_000, "pairs": {}},
+    "relate-images-1": {"cpu": 120.0, "interactions": 13_000, "words": {}},
     "tower-images-1-0": [{"status": "solved", "reached": True, "blind": True}, {"status": "unsolvable"}],
     "agree-1": [["00", "00", "01"], ["1", "1", "0"]],
     "shape-images-wedge": [True, False],

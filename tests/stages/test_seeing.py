@@ -15,7 +15,7 @@ from neurosym.files import digest
 from neurosym.primitives import ledger
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
-from neurosym.stages.learning import OBJECTS, _explored, train_stage
+from neurosym.stages.learning import OBJECTS, explored_for, train_stage
 from neurosym.stages.seeing import _drawn, see_stage, seen_ledger
 from neurosym.worlds.world_file import read_world
 
@@ -78,14 +78,25 @@ def test_what_taught_the_eye_teaches_the_networks_as_it_is_seen(taught, tmp_path
     begun = [world.seen(_drawn(world, FEW["seed"], number)[0]) for number in range(len(seen))]
     assert seen.features == pytest.approx(np.array([one.features[0] for one in begun]))
     assert neurosym("explore", str(folder.path), "--steps", "24", "--workers", "1") == 0
-    assert len(_explored(folder, OBJECTS)) == 24 + len(seen)
+    assert len(explored_for(folder, OBJECTS)) == 24 + len(seen)
     assert layout.SEEN in train_stage(folder, seed=0, regime="quick").inputs
-    replace(seen, features=seen.features[:, :3], origin={}).save(folder / layout.SEEN)
-    capsys.readouterr()
-    assert neurosym("train", str(folder.path), "--regime", "quick") == 2
-    assert (
-        "its features have the shape (N, 3), and those of interactions.npz (N, 8)" in capsys.readouterr().err
-    )
+    narrow, other = {"features": seen.features[:, :3]}, {"origin": {**seen.origin, "eye": "another"}}
+    for change in (
+        {**narrow, "origin": {**seen.origin, "feature_names": ["a", "b", "c"], "unshown": []}},
+        other,
+    ):
+        replace(seen, **change).save(folder / layout.SEEN)
+        capsys.readouterr()
+        assert neurosym("train", str(folder.path), "--regime", "quick") == 2
+        assert "it is of another eye or world than interactions.npz" in capsys.readouterr().err
+
+
+def test_what_is_seen_again_is_the_same_and_names_the_eye(taught, tmp_path):
+    folder = DomainFolder(shutil.copytree(taught.path, tmp_path / "copy"))
+    folder.perform(see_stage(folder, workers=1, **FEW), again=True)
+    assert digest(folder / layout.SEEN) == digest(taught / layout.SEEN)
+    folder.perform(see_stage(folder, workers=1, **{**FEW, "seed": 4}), again=True)
+    assert Interactions.load(folder / layout.SEEN).origin["eye"] == digest(folder / layout.EYE)
 
 
 def test_what_has_no_camera_or_no_eye_is_refused(tmp_path, capsys):

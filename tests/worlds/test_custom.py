@@ -125,6 +125,25 @@ class Blank(Shown):
     def images(self, scene):
         return 0.0 * super().images(scene)
 
+class Grey(Shown):
+    def images(self, scene):
+        return (2550 * super().images(scene)).astype(np.uint8)
+
+class Deep(Shown):
+    def images(self, scene):
+        return 1e200 + super().images(scene)
+
+class Moody(Shown):
+    def images(self, scene):
+        self.heavy = 1.0 - self.heavy
+        return super().images(scene) + self.heavy
+
+class Named(Shown):
+    feature_names = ("s_x", "s_y", "d", "v1")
+
+class Album(Ice):
+    images = ["ice.png"]
+
 def make(heavy: float = 0.5) -> Shown:
     return Shown(heavy)
 
@@ -133,6 +152,24 @@ def torn() -> Torn:
 
 def blank() -> Blank:
     return Blank(0.5)
+
+def grey() -> Grey:
+    return Grey(0.5)
+
+def deep() -> Deep:
+    return Deep(0.5)
+
+def moody() -> Moody:
+    return Moody(0.4)
+
+def named() -> Named:
+    return Named(0.5)
+
+def album() -> Album:
+    return Album(0.5)
+
+def needy(heavy) -> Shown:
+    return Shown(heavy)
 """
 
 
@@ -162,11 +199,38 @@ def test_eye_learns_in_a_world_that_gives_images_and_its_features_are_not_shown(
     outcome = world.interact(scene, np.array([1.0, 1.0]), 1)
     assert outcome.end.features.tobytes() == scene.features.tobytes()
     assert outcome.effect[:2] == pytest.approx([0.1, 0.1] if scene.features[1, 3] < 0.5 else [0.05, 0.05])
-    said = {"torn": "gives images of shape (1, 20, 19) of 1 object", "blank": "All crops look the same"}
-    for name, message in said.items():
+    too_few = refusal(capsys, "run", "ice", "--world", "shown:make", "--interactions", "300")
+    assert "besides 200 that teach an eye" in too_few
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [
+        ("torn", "gives images of shape (1, 20, 19) of 1 object"),
+        ("grey", "gives images of type uint8"),
+        ("deep", "gives images with a height of 1e+200 m"),
+        ("moody", "gives other images of the same scene the second time"),
+        ("named", "has a feature v1"),
+        ("blank", "All crops look the same"),
+    ],
+)
+def test_images_that_cannot_be_are_refused(here, name, message, capsys):
+    (here / "my_world.py").write_text(WORLD)
+    (here / "shown.py").write_text(SHOWN)
+    if name in ("blank", "named"):
         assert neurosym("init", name, "--world", f"shown:{name}") == 0
         capsys.readouterr()
         assert message in refusal(capsys, "see", name, "--interactions", "40", "--looks", "0")
+    else:
+        assert message in refusal(capsys, "init", name, "--world", f"shown:{name}")
+
+
+def test_worlds_without_a_method_for_images_or_with_an_option_to_give_are_made_as_before(here, capsys):
+    (here / "my_world.py").write_text(WORLD)
+    (here / "shown.py").write_text(SHOWN)
+    for name in ("album", "needy"):
+        assert neurosym("init", name, "--world", f"shown:{name}") == 0
+        assert f"next: neurosym explore {name}" in capsys.readouterr().out
 
 
 def test_documented_use_with_gymnasium_works(capsys):

@@ -92,7 +92,7 @@ def main(
         if told := known.get(f"relate-{kind}-1"):
             for block in blocks(options.scaled(scale, TOWERS), _BLOCK):
                 seeds = range(towers.FIRST_TOWER + block.start, towers.FIRST_TOWER + block.stop)
-                folder, words = work / f"{kind}-related-1", told["pairs"]["words"]
+                folder, words = work / f"{kind}-related-1", told["words"]
                 building[f"tower-{kind}-1-{block.start}"] = partial(towers.build, folder, words, seeds)
     evaluation.perform(building, "towers", report)
     unseen: Jobs = {

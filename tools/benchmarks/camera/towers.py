@@ -33,13 +33,15 @@ def relate(learned: Path, folder: Path, seed: int) -> dict[str, Any]:
         seed: Where all draws start.
     """
     if not folder.exists():
-        shutil.copytree(learned, folder)
+        draft = folder.with_name(f"{folder.name}-draft")
+        shutil.rmtree(draft, ignore_errors=True)
+        shutil.copytree(learned, draft).rename(folder)
     begin = cpu_seconds()
     run(folder, seed=seed, relations=RELATIONS, workers=1, problems=0)
     cpu = cpu_seconds() - begin
     with patch.object(symbols, "PAIRS", _PAIRS):
         pairs = symbols.measure(folder, NEW_PAIRS + seed, workers=1)
-    return {"cpu": cpu, "interactions": budget_of(DomainFolder(folder)).total, "pairs": pairs}
+    return {"cpu": cpu, "interactions": budget_of(DomainFolder(folder)).total, "words": pairs["words"]}
 
 
 def build(folder: Path, words: dict[str, list[str]], seeds: Sequence[int]) -> list[Any]:
