@@ -173,7 +173,8 @@ def _left_of(plan: Sequence[Round], last: Round) -> list[Round]:
             before = last.get(name, Share(0, 0))
             free -= (added := max(0, min(sum(share) - sum(before), free)))
             explored = max(before.explored, min(share.explored, before.explored + added))
-            more[name] = Share(explored, sum(before) + added - explored)
+            if explored:  # of what is asked for later there is nothing in rounds that are paid for
+                more[name] = Share(explored, sum(before) + added - explored)
         if any(last.get(name) != share for name, share in more.items()):
             left.append(more)
             last = {**last, **more}
@@ -248,8 +249,15 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
     budget = msgspec.structs.replace(budget, seen=max(budget.seen, acted_in(folder)))
     alone = {name: Share(count, 0) for name, count in explored_in(folder).items()}  # before there were rounds
     left = _left_of(plan, (budget.shares or alone) if is_open else {})
-    for aim in (aim for aim in AIMS if aim.folder in plan[-1]):  # refuse a user's own data, and other draws
-        asked, name = (left or [budget.shares])[-1][aim.folder].explored, own_name(recipe.strategy)
+    shared, name = (left or [budget.shares])[-1], own_name(recipe.strategy)
+    if missing := plan[-1].keys() - shared.keys():
+        raise InvalidValue(
+            f"{counted(budget.total, 'interaction')} were performed already, so nothing is left for "
+            f"{', '.join(sorted(missing))}; "
+            f"give --interactions {round(_WORTH_A_ROUND * budget.total)} or more."
+        )
+    for aim in (aim for aim in AIMS if aim.folder in shared):  # refuse a user's own data, and other draws
+        asked = shared[aim.folder].explored
         check_steps(folder, asked, aim, strategy=name, seed=recipe.seed)
     if not left:
         done = counted(budget.total, "interaction")

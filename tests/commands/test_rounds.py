@@ -108,11 +108,21 @@ def test_going_on_never_exceeds_the_larger_budget_nor_takes_back_what_was_spent(
         last, ceilings = {}, np.sort(rng.integers(1000, 30_000, size=3)).tolist()
         for ceiling, names in zip(ceilings, aims, strict=True):
             for more in rounds._left_of(rounds.rounds(ceiling, names, {"": 4}, {}), last):
+                assert all(share.explored for share in more.values())
                 for name, share in last.items():
                     assert share.explored <= more[name].explored
                     assert share.budget <= more[name].budget
                 last = {**last, **more}
                 assert sum(map(sum, last.values())) <= ceiling
+
+
+def test_relations_that_are_asked_for_later_get_what_is_left_and_nothing_less():
+    spent = {"": rounds.Share(1024, 4976), "places": rounds.Share(1024, 2976)}
+    aims = (*spent, "relations")
+    (left,) = rounds._left_of(rounds.rounds(15_000, aims, {"": 4}, {}), spent)
+    assert sum(left["relations"]) == 5000
+    assert {name: left[name] for name in spent} == spent
+    assert rounds._left_of(rounds.rounds(10_000, aims, {"": 4}, {}), spent) == []
 
 
 def test_symbols_are_learned_anew_only_if_enough_is_left_to_measure_them(tmp_path, monkeypatch):
