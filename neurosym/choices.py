@@ -40,7 +40,7 @@ DrawnTask = Literal["anywhere", "swap", "row", "crowded", "tower", "boxes", "uns
 
 # The domains that come with neurosym. They are never written into: who uses one by its name gets a copy
 
-DOMAINS = ("tabletop", "places", "towers", "tabletop-paper")  # the names of the shipped domains
+DOMAINS = ("tabletop", "places", "towers", "camera", "tabletop-paper")  # the names of the shipped domains
 _MADE_AGAIN = ("plans", "runs", "pictures")  # folders of a domain that hold what a user makes anew
 _HERE = Path(__file__).parent
 _HOMES = (_HERE / "shipped_domains", _HERE.parent / "domains")  # of an installed wheel, and of a checkout

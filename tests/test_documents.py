@@ -130,6 +130,11 @@ def test_a_plan_of_unified_planning_comes_true(capsys):
 SAID = {
     "tabletop": ["push right item-01", "lift item-02", "push forward right item-03"],
     "tabletop-paper": ["push forward right item-03", "lift item-05"],
+    "camera": [
+        *("carry item-01 to its goal", "carry item-03 to its goal", "carry item-02 to its goal"),
+        *["push forward item-03"] * 4,
+        "carry item-02 to its goal",
+    ],
     "row": [f"carry item-0{number} to its goal" for number in (4, 3, 2, 1)],
     "boxes": ["item-03 rests on item-04", "item-05 rests on item-02", "item-06 rests on item-01"],
 }

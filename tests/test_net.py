@@ -33,10 +33,12 @@ SHIPPED = {
     "tabletop-paper": ("--objects", 1, "--actions", 1),
     "places": ("--objects", 4, "--task", "row"),
     "towers": ("--objects", 4, "--task", "tower"),
+    "camera": ("--objects", 2, "--task", "swap"),
 }
 """What is asked for in a new problem of each shipped domain."""
 PUSHED = {name: {"new-problem", "execute"} for name in ("tabletop", "tabletop-paper")}
 PUSHED |= {name: {"execute"} for name in ("places", "towers")}
+PUSHED |= {"camera": {"new-problem", "execute", "fast-downward", "lama-first", "bfs", "bfs-operators"}}
 WRITTEN_WITHOUT = "X86_V4"
 TOYS = {
     "toy": (toy_domain.WORLD, toy_domain.grounding, toy_domain.problem({"item-01": (0.68, 0.16, 0.025)})),

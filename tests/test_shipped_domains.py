@@ -29,6 +29,7 @@ from neurosym.tasks.transition import validate
 TASKS = {
     "tabletop": (1, 8, {"task"}),
     "places": (1, 8, {"anywhere", "swap", "row", "crowded"}),
+    "camera": (1, 8, {"anywhere", "swap", "row", "crowded"}),
     "towers": (2, 8, {"tower", "boxes", "unstack", "exchange", "anywhere"}),
 }
 """The least and the most objects of the problems of a domain, and their kinds."""

@@ -31,6 +31,7 @@ FILMS = {
     "tabletop": ("tabletop", "task-18"),
     "tabletop-paper": ("tabletop-paper", "task-17"),
     "row": ("places", "row-4-12"),
+    "camera": ("camera", "anywhere-3-08"),
     "boxes": ("towers", "boxes-6-12"),
 }
 """The domain and the problem of each film, by the name of its file."""

@@ -234,6 +234,7 @@ _BRIEFLY = (
     ("mm from back to front", "mm deep"),
     ("mm from right to left", "wide"),
     (r"mm high\b", "high"),
+    (r", v1 \S+, v2 \S+, v3 \S+, v4 \S+, v5 [-\d.e+]*\d", ""),  # for what an eye tells there are no words
     (r"open at both ends \(rings\)", "rings"),
     (r"\. Of them, (\d+%|all) are (\w+).*", r", \1 \2"),  # the most frequent kind
 )

@@ -41,7 +41,7 @@ def test_what_a_shipped_domain_learned_fits_one_screen(name, capsys):
         sizes = [round(1000 * mean) for mean in category.feature_means[:3]]
         assert f"{category.name} " in line
         assert f"{category.share:.0%} " in line
-        assert "{} mm deep, {} wide, {} high, ".format(*sizes) in line
+        assert "{} mm deep, {} wide, {} high".format(*sizes) in line
     for symbol in table.symbols:
         of_symbol = [one for one in table.operators if one.primitive == symbol]
         rate = sum(one.successes for one in of_symbol) / sum(one.trials for one in of_symbol)

@@ -135,7 +135,7 @@ def bits_of(folder: Path) -> Verdict:
     return judge_training(figures, Interactions.load(folder / "interactions.npz"))
 
 
-@pytest.mark.parametrize("name", ["tabletop", "tabletop-paper", "places", "towers"])
+@pytest.mark.parametrize("name", ["tabletop", "tabletop-paper", "places", "towers", "camera"])
 def test_shipped_domains_are_judged_good(name):
     folder = DOMAINS / name
     assert bits_of(folder).level == "good"
