@@ -1,6 +1,7 @@
 """`neurosym explain` says in words what symbols mean, from whatever of a domain folder is there."""
 
 import re
+from itertools import takewhile
 
 import msgspec
 import numpy as np
@@ -47,7 +48,8 @@ def test_what_a_shipped_domain_learned_fits_one_screen(name, capsys):
         rate = sum(one.successes for one in of_symbol) / sum(one.trials for one in of_symbol)
         line = next(line for line in lines if line.startswith(f"{symbol} "))
         assert line.endswith(f"{rate:.0%}")
-        assert of_symbol[0].name.partition(f"-{symbol}")[0] in line
+        beneath = takewhile(lambda one: one.startswith("   "), lines[lines.index(line) + 1 :])
+        assert of_symbol[0].name.partition(f"-{symbol}")[0] in "".join([line, *beneath])
     assert lines[-1].endswith(f"--symbol {table.symbols[0]}")
 
 
