@@ -44,6 +44,8 @@ _FIRST = 400
 """Interactions of the first round, for each part of the weights."""
 _WORTH_A_ROUND = 1.6
 """A round is worth it if the budget is so many times as large as it, at least."""
+_WORTH_GOING_ON = 1.2
+"""What was learned stays as it is in a round unless there are so many times as many interactions for it."""
 _WEIGHTS = {layout.OBJECTS: 6, layout.PLACES: 4, layout.RELATIONS: 5}
 """How the budget is shared by objects, places and other objects, if all are asked for."""
 _EACH = 1000
@@ -168,10 +170,14 @@ def _left_of(plan: Sequence[Round], last: Round) -> list[Round]:
     """
     left = list[Round]()
     for asked in plan:
+        goes_on = any(
+            sum(share) >= _WORTH_GOING_ON * sum(last[name]) for name, share in asked.items() if name in last
+        )
         more, free = dict[str, Share](), sum(map(sum, asked.values())) - sum(map(sum, last.values()))
         for name, share in asked.items():
             before = last.get(name, Share(0, 0))
-            free -= (added := max(0, min(sum(share) - sum(before), free)))
+            wanted = sum(share) if goes_on or name not in last else sum(before)
+            free -= (added := max(0, min(wanted - sum(before), free)))
             explored = max(before.explored, min(share.explored, before.explored + added))
             if explored:  # of what is asked for later there is nothing in rounds that are paid for
                 more[name] = Share(explored, sum(before) + added - explored)
@@ -260,8 +266,8 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
         asked = shared[aim.folder].explored
         check_steps(folder, asked, aim, strategy=name, seed=recipe.seed)
     if not left:
-        done = counted(budget.total, "interaction")
-        say(f"{done} were performed already; more --interactions than that go on from there")
+        done, more = counted(budget.total, "interaction"), math.ceil(_WORTH_GOING_ON * budget.total)
+        say(f"{done} were performed already; --interactions {more} or more go on from there")
         perform(folder, compile_stage(folder, cell=CELL))
         return
     if is_open and not (folder / layout.BUDGET).exists():
@@ -272,11 +278,11 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
             if budget.is_idle:
                 say("the last round found too little that was worth performing, so this is the end")
                 break
-            spent = {
-                aim.folder: recipe.learn(workshop, aim, shares[aim.folder], budget.last.get(aim.folder))
-                for aim in AIMS
-                if aim.folder in shares
-            }
+            spent = dict[str, Spent]()
+            for aim in (aim for aim in AIMS if aim.folder in shares):
+                share, before = shares[aim.folder], budget.last.get(aim.folder)
+                if spent or share != budget.shares.get(aim.folder):  # each builds on those before it
+                    spent[aim.folder] = recipe.learn(workshop, aim, share, before)
             budget = Budget((*budget.rounds, {**budget.last, **spent}), budget.seen)
             if is_open:
                 write_json(workshop / layout.BUDGET, budget)

@@ -122,6 +122,8 @@ def test_relations_that_are_asked_for_later_get_what_is_left_and_nothing_less():
     (left,) = rounds._left_of(rounds.rounds(15_000, aims, {"": 4}, {}), spent)
     assert sum(left["relations"]) == 5000
     assert {name: left[name] for name in spent} == spent
+    (left,) = rounds._left_of(rounds.rounds(16_000, aims, {"": 4}, {}), spent)  # 400 more are no reason
+    assert {name: left[name] for name in spent} == spent
     assert rounds._left_of(rounds.rounds(10_000, aims, {"": 4}, {}), spent) == []
 
 
