@@ -94,7 +94,7 @@ def test_documented_world_goes_the_whole_way_as_an_installed_command(here):
     assert len(WORLD.splitlines()) < 40
     command = "from neurosym.commands.cli import main; main()"  # like the console script: not from the folder
     learn = ["--steps", "256", "--strategy", "random", "--regime", "quick", "--workers", "1"]
-    rest = ["--rehearsals", "12", "--problems", "1"]
+    rest = ["--rehearsals", "8", "--problems", "1", "--object-bits", "1", "--action-bits", "2"]
     typed = re.search(r"`neurosym (run \S+ --world \S+)`", (DOCS / "own-world.md").read_text())[1].split()
     ended = subprocess.run(
         [sys.executable, "-P", "-c", command, *typed, *learn, *rest], capture_output=True, text=True
@@ -199,6 +199,7 @@ def test_eye_learns_in_a_world_that_gives_images_and_its_features_are_not_shown(
     outcome = world.interact(scene, np.array([1.0, 1.0]), 1)
     assert outcome.end.features.tobytes() == scene.features.tobytes()
     assert outcome.effect[:2] == pytest.approx([0.1, 0.1] if scene.features[1, 3] < 0.5 else [0.05, 0.05])
+    capsys.readouterr()
     too_few = refusal(capsys, "run", "ice", "--world", "shown:make", "--interactions", "300")
     assert "besides 200 that teach an eye" in too_few
 

@@ -56,7 +56,7 @@ def summarise(found: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _towers(found: Mapping[str, Any], kind: str) -> dict[str, Any]:
-    """Count towers that stand, and say what learning relations took."""
+    """Count towers that stand, and say how many interactions taught what they are built with."""
     names = [name for name in sorted(found) if name.startswith(f"tower-{kind}-")]
     trials = [trial for name in names for trial in found[name]]
     reached = {
@@ -64,8 +64,7 @@ def _towers(found: Mapping[str, Any], kind: str) -> dict[str, Any]:
         for how in ("blind", "reached")
     }
     took = [one for name, one in sorted(found.items()) if name.startswith(f"relate-{kind}-")]
-    spent = {name: mean_of(one[name] for one in took) for name in ("cpu", "interactions")}
-    return {**reached, "tasks": len(trials), **spent}
+    return {**reached, "tasks": len(trials), "interactions": mean_of(one["interactions"] for one in took)}
 
 
 def _shapes(found: Mapping[str, Any], kind: str) -> dict[str, list[int]]:
@@ -189,14 +188,11 @@ def _building(towers: Mapping[str, Mapping[str, Any]]) -> str:
             str(one["tasks"]),
             *(with_interval(one[how], one["tasks"]) for how in ("blind", "reached")),
             f"{one['interactions']:,.0f}",
-            number(one["cpu"] / 60, 0),
         ]
         for kind, one in towers.items()
         if one["tasks"]
     ]
-    columns = (
-        "objects by | towers | followed blindly | replanned | interactions in all | CPU minutes for pairs"
-    )
+    columns = "objects by | towers | followed blindly | replanned | interactions in all"
     return table(columns, rows) if rows else NOT_YET
 
 

@@ -12,7 +12,6 @@ from neurosym.sim.camera_world import CameraWorld
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.rounds import budget_of
 from neurosym.world import World
-from tools.benchmarks.jobs import cpu_seconds
 from tools.benchmarks.relations import symbols
 from tools.benchmarks.relations.tasks import Asked, cells
 from tools.benchmarks.relations.trying import try_all
@@ -25,7 +24,7 @@ _NEXT = 1_000_000  # from the seed of a task whose objects are not told apart to
 
 
 def relate(learned: Path, folder: Path, seed: int) -> dict[str, Any]:
-    """Learn pairs beside what a folder has learned of single objects; say what states mean, and what it took.
+    """Learn pairs beside what a folder has learned of single objects; say what states mean.
 
     Args:
         learned: The folder that `run` learned in.
@@ -36,12 +35,10 @@ def relate(learned: Path, folder: Path, seed: int) -> dict[str, Any]:
         draft = folder.with_name(f"{folder.name}-draft")
         shutil.rmtree(draft, ignore_errors=True)
         shutil.copytree(learned, draft).rename(folder)
-    begin = cpu_seconds()
     run(folder, seed=seed, relations=RELATIONS, workers=1, problems=0)
-    cpu = cpu_seconds() - begin
     with patch.object(symbols, "PAIRS", _PAIRS):
-        pairs = symbols.measure(folder, NEW_PAIRS + seed, workers=1)
-    return {"cpu": cpu, "interactions": budget_of(DomainFolder(folder)).total, "words": pairs["words"]}
+        words = symbols.words_of(folder, NEW_PAIRS + seed, workers=1)
+    return {"interactions": budget_of(DomainFolder(folder)).total, "words": words}
 
 
 def build(folder: Path, words: dict[str, list[str]], seeds: Sequence[int]) -> list[Any]:

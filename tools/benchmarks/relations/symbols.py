@@ -45,18 +45,12 @@ _STREAM = 0x6765
 
 def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
     """Try the operators of a domain on new pairs, and match its codes with names."""
-    table, sight = PairFile.load(folder / RELATION_OPERATORS).table(), sight_of_pairs(DomainFolder(folder))
-    assert sight is not None, "relations were learned"
-    factory = RelatedFactory(read_world(folder / WORLD), aim=carriers_of(DomainFolder(folder)))
+    table, sight, factory = _learned(folder)
     tried = _rehearsed(table, sight, factory, seed, workers)
-    outcomes = [outcome for *_, ends in tried for outcome in ends]
+    outcomes = _all_of(tried)
     judged = _pairs_of(outcomes[1::2], table, NAMES)
     called = _matched(*_pairs_of(outcomes[::2], table, NAMES))
-    meant = _matched(*_pairs_of(outcomes[::2], table, (*NAMES, "leaning")))
-    words: dict[str, list[str]] = {name: [] for name in NAMES}
-    for code, name in sorted(meant.items()):
-        if name in NAMES and (name not in PUTS or code in table.bearing):
-            words[name].append(code)
+    words = _words(outcomes[::2], table)
     return {
         "operators": {name: _best(tried, table, name) for name in PUTS},
         "state_bits": {**_balanced(called, *judged), "pairs": len(judged[0])},
@@ -65,6 +59,31 @@ def measure(folder: Path, seed: int, workers: int) -> dict[str, Any]:
         "words": words,
         "operators_tried": len(tried),
     }
+
+
+def words_of(folder: Path, seed: int, workers: int) -> dict[str, list[str]]:
+    """Say which states of a domain mean what geometry calls so, by new pairs."""
+    table, sight, factory = _learned(folder)
+    return _words(_all_of(_rehearsed(table, sight, factory, seed, workers)), table)
+
+
+def _learned(folder: Path) -> tuple[RelationOperators, PairSight, RelatedFactory]:
+    sight, domain = sight_of_pairs(DomainFolder(folder)), DomainFolder(folder)
+    assert sight is not None, "relations were learned"
+    factory = RelatedFactory(read_world(folder / WORLD), aim=carriers_of(domain))
+    return PairFile.load(folder / RELATION_OPERATORS).table(), sight, factory
+
+
+def _words(outcomes: Sequence[Outcome], table: RelationOperators) -> dict[str, list[str]]:
+    words: dict[str, list[str]] = {name: [] for name in NAMES}
+    for code, name in sorted(_matched(*_pairs_of(outcomes, table, (*NAMES, "leaning"))).items()):
+        if name in NAMES and (name not in PUTS or code in table.bearing):
+            words[name].append(code)
+    return words
+
+
+def _all_of(tried: "Sequence[Tried]") -> list[Outcome]:
+    return [outcome for *_, ends in tried for outcome in ends]
 
 
 Tried = tuple[Operator, float, list[Outcome]]
@@ -87,6 +106,8 @@ def _rehearsed(
             np.flatnonzero(kinds == one.subject),
             np.array(labelled(table.primitives, one.label).action),
         )
+        if len(rows) < REHEARSED:
+            continue
         foreseen = sight.chances(features[rows], np.tile(action, (len(rows), 1)))
         sure = rows[foreseen[:, order.index(one.promise.kind)] >= SURE]
         if len(sure) >= REHEARSED:  # else such pairs are too rare to judge it
