@@ -18,8 +18,8 @@ HEAD = """# Commands
 
 Everything about one learned domain lies in one folder, `DIR`. Each command reads what stands there and adds
 its own files; [the manual](manual.md#files-of-a-domain-folder) says what they hold. `tabletop`, `places`,
-`towers` and `tabletop-paper` name the domains that come with neurosym. Such a domain is copied into the
-current folder when a command first names it; all results go to the copy.
+`towers`, `camera` and `tabletop-paper` name the domains that come with neurosym. Such a domain is copied into
+the current folder when a command first names it; all results go to the copy.
 
 Any command takes `--help`, and `--quiet`, with which it prints only what goes wrong. `neurosym --version`
 says which neurosym this is. `neurosym --tyro-print-completion bash` (or `zsh`, `tcsh`) prints a completion

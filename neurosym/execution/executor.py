@@ -123,6 +123,8 @@ def _check_run(world: World, problem: Problem, grounding: Grounding, plan: Seque
     for step in plan:
         grounding.operator_named(step.base)
         problem.object_named(step.object)
+    if beneath := getattr(world, "beneath", None):  # of one that sees: what of it is not seen must be known
+        beneath(problem.scene())
     if limits := limits_of(world):
         if reason := limits.too_many(len(problem.objects)):
             raise InvalidValue(f"The problem {problem.name} cannot be executed: {reason}.")

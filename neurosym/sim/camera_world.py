@@ -168,7 +168,9 @@ def truth_of(scene: Scene) -> Scene:
     fits = known.shape[1] in (_COLUMNS, _COLUMNS + len(UNSEEN)) and bool(np.isfinite(known).all())
     turns_are = fits and np.all(np.abs(lengths(known[:, _TURN], axis=1) - 1) < _OFF_UNIT)
     if not turns_are or not np.all(np.abs(lengths(scene.orientations, axis=1) - 1) < _OFF_UNIT):
-        said = "does not know what its camera sees in the scene; take one that this domain drew"
+        said = (
+            "does not know what its camera sees in the scene: `unseen` of its objects is not as it was drawn"
+        )
         raise InvalidWorld(CameraWorld.name, said)
     limits = TabletopConfig().object_limits
     try:

@@ -101,9 +101,9 @@ class DepthCamera:
                     *place, depth = projection @ view @ (x, y, z, 1.0)
                     if depth <= _NEAR or max(map(abs, place)) > depth:
                         raise InvalidValue(
-                            f"camera.position = {[*self.position]} with a field_of_view of "
-                            f"{self.field_of_view:g} degrees does not see the whole table; ({x:.2f}, "
-                            f"{y:.2f}, {z:.2f}) is out of its picture. Raise it, or widen its view."
+                            f"camera.position = {[*self.position]}, which looks at {[*self.looks_at]} with a "
+                            f"field_of_view of {self.field_of_view:g} degrees, does not see the whole table; "
+                            f"({x:.2f}, {y:.2f}, {z:.2f}) is out of its picture. Raise it, or widen its view."
                         )
         deepest = float((-self.position[2] / self._rays[..., 2]).max())
         if self._rays[..., 2].max() >= 0 or not deepest <= _FAR:

@@ -198,7 +198,7 @@ def compile_stage(
         for scene in sorted((folder / layout.PROBLEMS).glob(f"*{layout.SCENE}")):
             print_problem(folder, load_scene(scene), grounding, wanted)
 
-    inputs = (layout.WORLD, layout.PRIMITIVES, *folder.there(*besides))
+    inputs = (layout.WORLD, layout.PRIMITIVES, *folder.there(layout.EYE, *besides))
     outputs = (layout.DOMAIN, layout.NUMERIC_DOMAIN, layout.GROUNDING)
     options = {"cell": cell} | ({"name": name} if name else {})
     return Stage("compile-domain", inputs, outputs, work, options, Claim.ALONE)

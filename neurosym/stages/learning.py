@@ -438,7 +438,9 @@ def explored_for(folder: DomainFolder, aim: Aim) -> Interactions:
         is_alike = all(found.origin.get(what) == more.origin.get(what) for what in of)
         if not is_alike or next(widths) != next(widths):
             said = f"it is of another eye or world than {layout.INTERACTIONS}"
-            raise InvalidFile(folder / name, f"{said}; remove that, and explore anew")
+            raise InvalidFile(
+                folder / name, f"{said}; remove it to learn without it, or see and explore anew"
+            )
         found = found.join(more)
     return found
 
