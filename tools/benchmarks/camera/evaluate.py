@@ -41,7 +41,7 @@ from tools.benchmarks.planning.trials import PLANNER, tried
 FIRST_TASK = 840_000  # seed of the first task, far from those of other evaluations
 FIRST_SHAPE = 848_000
 WORLDS = {"features": "tabletop", "images": "camera"}
-CELLS = {"single": (1, 50), "far-1": (1, 20), "far-4": (4, 20)}
+CELLS = {"single": (1, 100), "far-1": (1, 20), "far-4": (4, 20)}
 """What is tried: objects of a task, and how many tasks for each seed."""
 TOWERS = 40
 """So many towers are tried."""
