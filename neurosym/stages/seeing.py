@@ -128,9 +128,7 @@ def see_stage(
                 seen.append(world.witnessed(world.told(scene, [found]), outcome))
                 advance(number, acted)
         known = origin_of_world(world) | origin_of(factory)
-        known["eye"] = digests({layout.EYE: folder / layout.EYE})[
-            layout.EYE
-        ]  # not the one it takes the place of
+        known["eye"] = digests({"eye": folder / layout.EYE})["eye"]  # and not of the one before
         Interactions.from_outcomes(seen, actions, known).save(folder / layout.SEEN)
 
     options = {"interactions": acted, "looks": looked, "seed": seed}
