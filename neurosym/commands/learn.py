@@ -233,6 +233,7 @@ def check(
     docs/data.md says what it must hold; every problem is told in a line of its own, with exit code 2.
     """
     from neurosym.commands.tables import show_data
+    from neurosym.data.foreign_tables import IMAGES
     from neurosym.data.interactions import examine
     from neurosym.data.origin import training_problems, warnings_about
     from neurosym.stages.value_stages import check_own
@@ -241,6 +242,9 @@ def check(
     if not path.is_file():
         raise InvalidFile(path, "there is no such file or folder")
     answer, found = answer_in(json), examine(path)
+    if IMAGES in found.given and "features" not in found.given:
+        said = "it has images in place of features"
+        raise InvalidFile(path, f"{said}, which `neurosym init DIR --data {quoted(path)}` reads")
     if problems := [*found.problems, *training_problems(found.columns, found.origin)]:
         answer({"path": str(path), "problems": problems})
         raise InvalidData(path, problems)

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import refusal
 
 from neurosym.data.archives import write_tensors
 from neurosym.data.interactions import Interactions
@@ -140,3 +141,10 @@ def test_tables_whose_images_do_not_fit_are_refused(tmp_path: Path):
     np.savez(tmp_path / "own.npz", **(table | {"images": np.repeat(images[:1], 40, axis=0)}))
     with pytest.raises(InvalidValue, match="All crops look the same"):
         seen_in(tmp_path / "own.npz", None, lambda _: None)
+
+
+def test_check_says_what_reads_images_without_features(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    path, rng = tmp_path / "t.npz", np.random.default_rng(0)
+    np.savez(path, images=rng.random((30, 8, 8)), actions=rng.random((30, 2)), effects=rng.random((30, 3)))
+    said = refusal(capsys, "check", path)
+    assert f"it has images in place of features, which `neurosym init DIR --data {path}` reads" in said
