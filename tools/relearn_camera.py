@@ -11,21 +11,18 @@ from neurosym.operators import OperatorTable
 from neurosym.sim.camera_world import SIZES, CameraWorld
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.layout import PRIMITIVES
-from neurosym.stages.problem_making import Asked
 from neurosym.stages.rounds import budget_of
-from tools.relearn_places import PLANNER, TASKS
+from tools.relearn_places import PLANNER, SEED, asked_for
 from tools.relearn_tabletop import categories_table, problems_table, try_and_describe
 
-FOLDER, SEED = Path("domains/camera"), 1
+FOLDER = Path("domains/camera")
 SEEN = CameraWorld.feature_names[len(SIZES) :]
 
 
 def main() -> None:
     """Learn, try, describe."""
     run(FOLDER, world=CameraWorld.name, seed=SEED, problems=0)
-    every = enumerate(((kind, objects) for kind, objects, count in TASKS for _ in range(count)), start=1)
-    asked = {f"{kind}-{n}-{i:02d}": Asked(n, task=kind, seed=SEED + i) for i, (kind, n) in every}
-    try_and_describe(FOLDER, sections, lambda _: asked, (PLANNER,))
+    try_and_describe(FOLDER, sections, asked_for, (PLANNER,))
 
 
 def sections(folder: DomainFolder) -> list[str]:

@@ -36,9 +36,13 @@ def main() -> None:
     folder = DomainFolder(FOLDER)
     folder.perform(upright_stage(folder, tries=UPRIGHT, objects=100, seed=SEED, workers=CPUS), again=False)
     folder.perform(compile_stage(folder, cell=CELL, name=FOLDER.name), again=False)
+    try_and_describe(FOLDER, sections, asked_for, (PLANNER,))
+
+
+def asked_for(_: DomainFolder) -> dict[str, Asked]:
+    """Say what is asked for in each problem."""
     every = enumerate(((kind, objects) for kind, objects, count in TASKS for _ in range(count)), start=1)
-    asked = {f"{kind}-{n}-{i:02d}": Asked(n, task=kind, seed=SEED + i) for i, (kind, n) in every}
-    try_and_describe(FOLDER, sections, lambda _: asked, (PLANNER,))
+    return {f"{kind}-{n}-{i:02d}": Asked(n, task=kind, seed=SEED + i) for i, (kind, n) in every}
 
 
 def sections(folder: DomainFolder) -> list[str]:

@@ -20,7 +20,7 @@ from neurosym.stages.console import progress_bar
 from neurosym.stages.folder import Claim, DomainFolder, Stage, versions
 from neurosym.world import Outcome, Scene
 from neurosym.worlds.workers import Task, check_workers
-from neurosym.worlds.world_file import origin_of, read_world, sees
+from neurosym.worlds.world_file import origin_of, read_world
 
 if TYPE_CHECKING:
     from neurosym.perception.eye import Eye
@@ -90,15 +90,16 @@ def see_stage(
     def work() -> None:
         from neurosym.exploration.loop import origin_of_world
         from neurosym.learning.eye_lesson import teach
+        from neurosym.perception.seen_world import SeenWorld
 
         path = folder.require(layout.WORLD)
-        if not sees(path):
+        factory = read_world(path)
+        world = factory()
+        if not isinstance(world, SeenWorld):
             raise InvalidValue(
                 f"{path} names a world that sees nothing; `neurosym init DIR --world camera` makes one that "
                 "does, and so does a world of your own with a method images."
             )
-        factory = read_world(path)
-        world: Any = factory()
         looks = list[tuple[Scene, "Shown"]]()
         with progress_bar("looking at objects") as advance:
             for number in range(acted + looked):
@@ -125,7 +126,9 @@ def see_stage(
         seen = list[Outcome]()
         with progress_bar("looking at what came of it") as advance:
             for number, ((scene, found), outcome) in enumerate(zip(looks, outcomes, strict=False), 1):
-                seen.append(world.witnessed(world.told(scene, [found]), outcome))
+                begun = world.told(scene, [found])
+                assert begun is not None, "one object is told apart from none"
+                seen.append(world.witnessed(begun, outcome))
                 advance(number, acted)
         known = origin_of_world(world) | origin_of(factory)
         known["eye"] = digests({"eye": folder / layout.EYE})["eye"]  # and not of the one before

@@ -73,9 +73,8 @@ def main(
     evaluation.perform({"crops": partial(seeing.draw_crops, work)}, "looking at what was explored")
     same: Jobs = {f"same-{seed}": partial(seeing.compare, work, seed) for seed in range(1, seeds + 3)}
     evaluation.perform(same, "training on the same interactions", report, fresh=True)
+    related: Jobs = {f"relate-{kind}-1": partial(relate, work, kind, 1) for kind in WORLDS}
     for seed in range(1, seeds + 1):
-        learning: Jobs = {f"learn-{kind}-{seed}": partial(learn, work, kind, seed) for kind in WORLDS}
-        evaluation.perform(learning, f"learning with seed {seed}", report, fresh=True)
         both = (work / f"{kind}-{seed}" for kind in WORLDS)
         trying: Jobs = {f"agree-{seed}": partial(seeing.agree, *both)}
         for kind in (*WORLDS, NOISY):
@@ -84,8 +83,13 @@ def main(
                     for block in blocks(options.scaled(scale, count), _BLOCK):
                         name = f"try-{kind}-{seed}-{cell}-{block.start}"
                         trying[name] = partial(attempt, work, kind, seed, cell, objects, block)
+        asked = {*trying, *(related if seed == 1 else ())}
+        for kind in WORLDS:  # what is gone, as on another machine, is learned anew if it is asked for
+            if asked - evaluation.found().keys() and not (work / f"{kind}-run-{seed}").exists():
+                evaluation.path(f"learn-{kind}-{seed}").unlink(missing_ok=True)
+        learning: Jobs = {f"learn-{kind}-{seed}": partial(learn, work, kind, seed) for kind in WORLDS}
+        evaluation.perform(learning, f"learning with seed {seed}", report, fresh=True)
         evaluation.perform(trying, f"tasks with seed {seed}", report)
-    related: Jobs = {f"relate-{kind}-1": partial(relate, work, kind, 1) for kind in WORLDS}
     evaluation.perform(related, "learning relations", report, fresh=True)
     building, known = Jobs(), evaluation.found()
     for kind in WORLDS:

@@ -12,11 +12,11 @@ from neurosym.sim.camera_world import CameraWorld
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.rounds import budget_of
 from neurosym.world import World
+from tools.benchmarks.budget.ways import TOWERS
 from tools.benchmarks.relations import symbols
 from tools.benchmarks.relations.tasks import Asked, cells
 from tools.benchmarks.relations.trying import try_all
 
-TOWER = "tower of 3"
 RELATIONS = 1024  # interactions that explore pairs at most
 FIRST_TOWER, NEW_PAIRS = 856_000, 858_000  # seeds of the first task, and of pairs that tell what states mean
 _PAIRS = 3000  # so many new pairs are drawn for that
@@ -48,7 +48,7 @@ def build(folder: Path, words: dict[str, list[str]], seeds: Sequence[int]) -> li
 
 def _draw(world: World, seed: int) -> Asked:
     """Draw a tower that a person can build, as it is seen where there is a camera."""
-    (draw,) = (draw for name, draw, _ in cells(1) if name == TOWER)
+    (draw,) = (draw for name, draw, _ in cells(1) if name == TOWERS)
     if not isinstance(world, CameraWorld):
         return draw(world, seed)
     asked = draw(world.table_world, seed)
