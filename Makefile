@@ -11,12 +11,13 @@ comma := ,
 
 install: $(VENV)/.installed
 
+# Modules are compiled as they are imported, which takes half of what compiling all of them does.
 $(VENV)/.installed: pyproject.toml constraints.txt
 	@$(or $(PYTHON),false) -c '$(SUPPORTED)' || \
 	  { echo "neurosym needs Python 3.11, 3.12 or 3.13$(if $(PYTHON),$(comma) and $(PYTHON) is none of these);"; \
 	    echo "install one, or name it with: make $(or $(MAKECMDGOALS),install) PYTHON=/path/to/python"; exit 2; }
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/pip install --quiet --constraint constraints.txt --editable '.[dev]'
+	$(BIN)/pip install --quiet --no-compile --constraint constraints.txt --editable '.[dev]'
 	@touch $@
 
 # Plans with the shipped domain, executes in the simulator, writes pictures to demo/.

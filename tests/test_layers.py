@@ -206,7 +206,12 @@ def test_what_is_out_of_order_is_noticed(
 
 @pytest.mark.parametrize(
     "statement",
-    ["import neurosym.commands.cli", "from neurosym import plan, execute", "from neurosym import train"],
+    [
+        "import neurosym.commands.cli",
+        "import neurosym.commands.pipeline, neurosym.commands.tables",
+        "from neurosym import plan, execute",
+        "from neurosym import train",
+    ],
 )
 def test_import_loads_what_is_heavy_only_where_it_is_needed(statement: str):
     code = f"{statement}\nimport sys\nprint(' '.join(sys.modules))"

@@ -16,8 +16,8 @@ from neurosym.commands.pipeline import run
 from neurosym.errors import counted
 from neurosym.files import read_json, write_atomically
 from neurosym.grounding import Grounding
-from neurosym.learning.training import TrainingReport
 from neurosym.learning.training_config import DEFAULT_BITS, PAPER_BITS
+from neurosym.learning.training_report import TrainingReport
 from neurosym.operators import Category, Operator, OperatorTable
 from neurosym.pddl.compiler import CELL
 from neurosym.stages.compilation import compile_stage

@@ -13,7 +13,7 @@ from neurosym.data.origin import FLAGS
 from neurosym.errors import counted, harmless, listed_briefly
 from neurosym.execution.record import Run
 from neurosym.files import read_json
-from neurosym.learning.training import TrainingReport, empty_codes, error_table
+from neurosym.learning.training_report import TrainingReport, empty_codes, error_table
 from neurosym.operators import CONVERGED, NO_EFFECT, Effect, OperatorTable, name_axes, names_of_features
 from neurosym.pair_operators import OF_PAIRS, RelationOperators
 from neurosym.report.symbols import EffectRow, Explanation, SymbolExplanation

@@ -82,7 +82,8 @@ def goal_region(
     grid, (error_x, error_y, error_z) = grid_of(grounding), rounding(item, grounding)
     dx, dy, height = (end - start for end, start in zip(goal, item.position, strict=True))
     cell = grounding.cell
-    misses = {z: abs(z * cell - height) + (error_z if z else 0.0) for z in levels(item, grounding)}
+    ends = (z for z in levels(item, grounding) if z < grid[2].count)  # by its past it may end above all cells
+    misses = {z: abs(z * cell - height) + (error_z if z else 0.0) for z in ends}
     heights = within(misses, tolerance)
     radii = [math.sqrt(tolerance**2 - misses[z] ** 2) for z in heights]
     (start_x, start_y, _), reach = anchor(grid, item.position), math.ceil(max(radii, default=0) / cell)

@@ -19,7 +19,7 @@ from neurosym.evaluation.summary import comparisons_of
 from neurosym.execution.record import Run
 from neurosym.files import make_folder, read_bytes, read_json, write_atomically, write_json
 from neurosym.grounding import Grounding
-from neurosym.learning.training import TrainingReport, error_table
+from neurosym.learning.training_report import TrainingReport, error_table
 from neurosym.operators import OperatorTable
 from neurosym.pictures.film import Row, motion_stills, run_stills
 from neurosym.pictures.motions import surest_carriers

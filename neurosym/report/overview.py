@@ -9,7 +9,7 @@ import numpy as np
 from neurosym.data.interactions import Interactions
 from neurosym.grounding import Grounding
 from neurosym.learning.network import EffectModel
-from neurosym.learning.training import TrainingReport
+from neurosym.learning.training_report import TrainingReport
 from neurosym.operators import Category, Operator, OperatorTable, Symbol, by_share
 from neurosym.report.drawings import chip, effect_drawing, effect_room, is_body, map_drawing, object_drawing
 from neurosym.report.symbol_map import Atlas, atlas_of

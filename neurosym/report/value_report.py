@@ -10,7 +10,7 @@ from neurosym.checks import Float
 from neurosym.data.category_names import Trait, traits_of
 from neurosym.data.interactions import Interactions
 from neurosym.files import read_json, read_text
-from neurosym.learning.training import TrainingReport, error_table
+from neurosym.learning.training_report import TrainingReport, error_table
 from neurosym.report.charts import Axis, chart
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder, versions

@@ -173,10 +173,10 @@ def compile_stage(
                 f"{folder / layout.WORLD} is missing: a domain also needs where objects may stand and how "
                 f"far the hand rises; `neurosym init {quoted(folder.path)} --world module:factory` writes it."
             )
-        world = read_world(folder / layout.WORLD)()
+        world, former = read_world(folder / layout.WORLD)(), _former(folder)
         grounding = compile_domain(
             table,
-            name=name or _former_name(folder) or world.name,
+            name=name or (former or world).name,
             cell=cell,
             table_bounds=world.table,
             lift_height=world.lift_height,
@@ -185,6 +185,8 @@ def compile_stage(
             relations=PairFile.load(relations).table() if relations else None,
             upright=OperatorTable.load(upright) if upright else None,
         )
+        if former == grounding:
+            grounding = former  # by which what follows from it is found sooner than by its equal
         write_atomically(folder / layout.DOMAIN, domain_text(grounding))
         write_atomically(folder / layout.NUMERIC_DOMAIN, domain_text(grounding, NUMERIC))
         formers = (folder / former for former in layout.FORMER_DOMAINS)
@@ -204,8 +206,8 @@ def compile_stage(
     return Stage("compile-domain", inputs, outputs, work, options, Claim.ALONE)
 
 
-def _former_name(folder: DomainFolder) -> str:
-    """Return the name that the domain has by now, or nothing if there is none that can be read."""
+def _former(folder: DomainFolder) -> Grounding | None:
+    """Return the domain as it is by now, or None if there is none that can be read."""
     with suppress(InvalidFile):
-        return Grounding.load(folder / layout.GROUNDING).name
-    return ""
+        return Grounding.load(folder / layout.GROUNDING)
+    return None

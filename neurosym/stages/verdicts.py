@@ -19,7 +19,7 @@ from neurosym.data.origin import is_explored
 from neurosym.errors import InvalidPlan, InvalidValue, counted, listed_briefly
 from neurosym.files import read_text
 from neurosym.grounding import Grounding
-from neurosym.learning.training import TrainingReport
+from neurosym.learning.training_report import TrainingReport
 from neurosym.operators import MIN_TRIALS, TOLERANCE, Mode, Operator, OperatorTable
 from neurosym.pair_operators import RelationOperators
 from neurosym.pddl.compiler import Action, ground_plan, parameters_of, problem_text

@@ -25,6 +25,7 @@ from neurosym.learning.training_config import (
     TeacherConfig,
     TrainingConfig,
 )
+from neurosym.learning.training_report import empty_codes
 
 
 def test_nll_is_that_of_the_normal_distribution():
@@ -212,9 +213,9 @@ def test_wide_symbols_can_be_trained_and_codes_without_rows_are_listed(bits):
     assert used[0].isdisjoint(report.empty_object_codes)
     assert len(used[0]) + len(report.empty_object_codes) == 64
     assert len(used[1]) + len(report.empty_action_codes) == 2**bits
-    assert f" and {len(report.empty_object_codes) - 16} more" in training.empty_codes(report)
+    assert f" and {len(report.empty_object_codes) - 16} more" in empty_codes(report)
     full = msgspec.structs.replace(report, empty_object_codes=(), empty_action_codes=())
-    assert training.empty_codes(full) == ""
+    assert empty_codes(full) == ""
 
 
 def test_the_papers_regime_has_the_papers_numbers():

@@ -29,6 +29,7 @@ from neurosym.operators import Operator, OperatorTable
 from neurosym.pddl import compile_domain, domain_text, problem_text
 from neurosym.pddl.compiler import excerpt_for, ground_plan, parameters_of, with_every_outcome
 from neurosym.pddl.durative import durative_domain_text, durative_problem_text
+from neurosym.pddl.grid import grid_of, levels
 from neurosym.pddl.plan_reading import parse_plan
 from neurosym.pddl.sas import sas_text
 from neurosym.pddl.strips import WORDS, page
@@ -37,7 +38,7 @@ from neurosym.pddl.syntax import ENCODINGS, EncodingName
 from neurosym.planners import PlanStatus, plan
 from neurosym.planners.bfs import branching_of
 from neurosym.planners.external import PORTFOLIO, Search, plan_fast_downward
-from neurosym.problems import Problem
+from neurosym.problems import Problem, Trial
 from neurosym.tasks.options import cost, puts_of
 from neurosym.tasks.transition import PlanStep
 
@@ -182,6 +183,17 @@ def test_objects_solved_at_once_cost_as_much_as_after_translation_and_impossible
     fewer = replace(task, goals={"item-01": task.goals["item-01"]})
     assert "item-02" in sas_text(task, grounding())
     assert "item-02" not in sas_text(fewer, grounding())
+
+
+@pytest.mark.parametrize("encoding", ["sas", "strips"])
+def test_lift_that_ended_above_all_cells_is_not_planned_with(encoding: str):
+    past = (Trial("010", "held", (0.012, -0.021, 0.26), (0.0141, -0.0228, 0.0), (0.0, 0.0, 0.0, 1.0)),) * 3
+    high = (0.46, -0.01, 0.285)
+    block = replace(item("item-01", 0.4512, 0.0133), past=past)
+    assert max(levels(block, grounding())) >= grid_of(grounding())[2].count
+    tasks = (Problem("p", (block,), {"item-01": goal}) for goal in (high, (0.52, 0.0, 0.025)))
+    found = [plan(task, grounding(), encoding=encoding).status for task in tasks]
+    assert found == [PlanStatus.NOT_FOUND, PlanStatus.SOLVED]
 
 
 PLANS = (

@@ -19,7 +19,7 @@ from neurosym.evaluation.summary import Comparison, Tally
 from neurosym.execution.record import Run
 from neurosym.files import read_json, write_json
 from neurosym.grounding import Grounding
-from neurosym.learning.training import TrainingReport
+from neurosym.learning.training_report import TrainingReport
 from neurosym.pictures.motions import surest_carriers
 from neurosym.problems import Problem
 from neurosym.report.charts import Axis, chart, explored, round_values, what_became

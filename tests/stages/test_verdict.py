@@ -15,7 +15,7 @@ from neurosym.data.origin import _OF_EXPLORATION
 from neurosym.files import read_json
 from neurosym.formats import PairFile, PlaceFile
 from neurosym.grounding import Grounding
-from neurosym.learning.training import TrainingReport
+from neurosym.learning.training_report import TrainingReport
 from neurosym.operators import Category, Mode, Operator, OperatorTable, Primitive
 from neurosym.stages import verdicts as rules
 from neurosym.stages.verdicts import (

@@ -16,8 +16,9 @@ from neurosym.commands.cli import main
 from neurosym.data.interactions import Interactions
 from neurosym.files import read_json
 from neurosym.learning.network import EffectModel
-from neurosym.learning.training import TrainingReport, mean_over_axes, r_squared, split, trivial_predictions
+from neurosym.learning.training import mean_over_axes, r_squared, split, trivial_predictions
 from neurosym.learning.training_config import TrainingConfig
+from neurosym.learning.training_report import TrainingReport
 from neurosym.operators import MIN_TRIALS
 from neurosym.stages import layout
 from neurosym.stages.verdicts import MOST, judge_values

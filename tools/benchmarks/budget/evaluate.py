@@ -21,8 +21,8 @@ from neurosym.commands.learn import make_domain_folder
 from neurosym.commands.pipeline import run
 from neurosym.data.interactions import Interactions
 from neurosym.files import read_json
-from neurosym.learning.training import TrainingReport
 from neurosym.learning.training_config import DEFAULT_BITS
+from neurosym.learning.training_report import TrainingReport
 from neurosym.stages import layout
 from neurosym.stages.compilation import compile_stage
 from neurosym.stages.folder import DomainFolder

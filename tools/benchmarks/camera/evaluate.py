@@ -17,7 +17,7 @@ from neurosym.commands.pipeline import run
 from neurosym.evaluation.comparison import Bench, planner_of
 from neurosym.execution.executor import execute
 from neurosym.files import read_json
-from neurosym.learning.training import TrainingReport
+from neurosym.learning.training_report import TrainingReport
 from neurosym.operators import TOLERANCE, symbols_of
 from neurosym.planners import PlanStatus
 from neurosym.problems import Problem
