@@ -53,7 +53,7 @@ _BLOCK = 10
 
 
 def main(
-    seeds: options.Seeds = 3,
+    seeds: options.Seeds = 5,
     scale: options.Scale = 1.0,
     work: options.Work = Path("evaluation/camera"),
     results: options.Results = options.RESULTS,
@@ -71,7 +71,7 @@ def main(
     if not (work / "crops.npz").exists():
         evaluation.path("crops").unlink(missing_ok=True)
     evaluation.perform({"crops": partial(seeing.draw_crops, work)}, "looking at what was explored")
-    same: Jobs = {f"same-{seed}": partial(seeing.compare, work, seed) for seed in range(1, seeds + 3)}
+    same: Jobs = {f"same-{seed}": partial(seeing.compare, work, seed) for seed in range(1, seeds + 1)}
     evaluation.perform(same, "training on the same interactions", report, fresh=True)
     related: Jobs = {f"relate-{kind}-1": partial(relate, work, kind, 1) for kind in WORLDS}
     for seed in range(1, seeds + 1):
