@@ -69,7 +69,8 @@ class Row(NamedTuple):
 
 SCENES = ROOT / "tools/benchmarks/scenes"
 _ONE, _FOUR = (
-    f"{name} places/plans/{name}.fast-downward.plan" for name in ("anywhere-1-01", "four-anywhere")
+    f"{name} places/plans/{name}.fast-downward.{kind}"
+    for name, kind in (("anywhere-1-01", "plan"), ("four-anywhere", "steps"))
 )
 _DRAWN = f"new-problem places --scene {SCENES}/four-anywhere.json"
 ROWS = (
