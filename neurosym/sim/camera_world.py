@@ -31,6 +31,7 @@ SIZES = ("s_x", "s_y", "d")
 _FEATURES, _PLACE, _TURN = slice(0, 4), slice(4, 7), slice(7, 11)  # columns of `Scene.unseen`
 _COLUMNS = 11
 _OFF_UNIT = 0.01  # how far from 1 the length of a quaternion may be
+_LARGEST = 1.0  # no object is larger [m]
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,22 +165,18 @@ def truth_of(scene: Scene) -> Scene:
     Raises:
         InvalidWorld: If it does not say what only the simulator knows, or what cannot be.
     """
-    known, lengths = scene.unseen, np.linalg.norm
-    fits = known.shape[1] in (_COLUMNS, _COLUMNS + len(UNSEEN)) and bool(np.isfinite(known).all())
-    turns_are = fits and np.all(np.abs(lengths(known[:, _TURN], axis=1) - 1) < _OFF_UNIT)
-    if not turns_are or not np.all(np.abs(lengths(scene.orientations, axis=1) - 1) < _OFF_UNIT):
-        said = (
-            "does not know what its camera sees in the scene: `unseen` of its objects is not as it was drawn"
+    known, told = scene.unseen, (_COLUMNS, _COLUMNS + len(UNSEEN))
+    if (found := known.shape[1]) not in told:
+        raise InvalidWorld(
+            CameraWorld.name,
+            f"needs what it does not see: of objects there are {found} `unseen` numbers; valid: "
+            f"{told[0]} or {told[1]}, as `neurosym new-problem` writes them",
         )
-        raise InvalidWorld(CameraWorld.name, said)
-    limits = TabletopConfig().object_limits
-    try:
-        for row in known.tolist():
-            if min(row[:3]) <= 0 or row[3] not in (SOLID, OPEN_TOP, OPEN_THROUGH):
-                raise InvalidValue(f"an object has the true features {row[_FEATURES]}, which none has")
-            limits.check_unseen("An object of the scene", row[_COLUMNS:])
-    except InvalidValue as error:
-        raise InvalidWorld(CameraWorld.name, f"refuses the scene: {str(error).rstrip('.')}") from error
+    for number, (row, turn) in enumerate(zip(known.tolist(), scene.orientations, strict=True), 1):
+        try:
+            _check_truth(f"Object {number}", row, turn)
+        except InvalidValue as error:
+            raise InvalidWorld(CameraWorld.name, f"refuses the scene: {str(error).rstrip('.')}") from error
     turns = Rotation.from_quat(scene.orientations)
     return Scene(
         features=known[:, _FEATURES],
@@ -187,6 +184,23 @@ def truth_of(scene: Scene) -> Scene:
         orientations=(turns * Rotation.from_quat(known[:, _TURN])).as_quat(),
         unseen=known[:, _COLUMNS:],
     )
+
+
+def _check_truth(item: str, unseen: list[float], seen_turn: Float[np.ndarray, "4"]) -> None:
+    """Raise `InvalidValue` unless there can be such an object; `item` is what it is called."""
+    sizes, kind = unseen[:3], unseen[3]
+    if not all(0 < size <= _LARGEST for size in sizes):
+        told = " x ".join(f"{size:g}" for size in sizes)
+        raise InvalidValue(f"{item} is in truth {told} m large; valid: over 0 and at most {_LARGEST:g} m.")
+    if kind not in (kinds := (SOLID, OPEN_TOP, OPEN_THROUGH)):
+        valid = ", ".join(f"{one:g}" for one in kinds)
+        raise InvalidValue(f"{item} has the true type {kind:g}; valid: {valid}.")
+    for turn in (seen_turn, unseen[_TURN]):
+        if not abs((length := float(np.linalg.norm(turn))) - 1) < _OFF_UNIT:
+            raise InvalidValue(f"{item} is turned by a quaternion of length {length:g}; valid: 1.")
+    if not np.all(np.isfinite(unseen)):
+        raise InvalidValue(f"{item} has `unseen` numbers that are not finite.")
+    TabletopConfig().object_limits.check_unseen(item, unseen[_COLUMNS:])
 
 
 def _moved(scene: Scene, start: Scene, end: Scene) -> Scene:

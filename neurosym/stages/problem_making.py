@@ -32,7 +32,7 @@ from neurosym.tasks.supports import PairSight, with_pairs
 from neurosym.world import World
 from neurosym.worlds.relation_tasks import HEIGHT, RELATION_TASKS, Way, Ways, draw_relation_task
 from neurosym.worlds.task_drawing import Fits, draw_task
-from neurosym.worlds.world_file import read_world
+from neurosym.worlds.world_file import read_world, sees
 
 
 def draw_any_task(
@@ -256,6 +256,10 @@ def scene_stage(folder: DomainFolder, file: Path, *, name: str, tolerance: float
     def work() -> None:
         grounding = Grounding.load(folder.require(layout.GROUNDING))
         problem = msgspec.structs.replace(_scene_in(file, grounding), name=name).within(tolerance)
+        if sees(folder / layout.WORLD):
+            world: Any = read_world(folder.require(layout.WORLD))()
+            with blaming(file):
+                world.beneath(problem.scene())  # refuses what objects cannot be in truth
         problem = with_pairs(problem, grounding.relations, sight_of_pairs(folder))
         with blaming(file):
             for item in problem.objects:  # only what a run saw may be a little off

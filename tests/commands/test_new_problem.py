@@ -200,3 +200,20 @@ def test_plan_to_come_nearer_is_read_in_the_cells_that_are_printed(tmp_path):
     assert neurosym("plan", folder, "task-04", "--tolerance", "0.02") == 0
     plan = folder / "plans/task-04.fast-downward.plan"
     assert neurosym("validate", folder, "task-04", plan, "--tolerance", "0.02") == 0
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"unseen": [-0.05, *[0.1] * 10]}, "Object 2 is in truth -0.05 x 0.1 x 0.1 m large; valid: over 0"),
+        ({"orientation": [0, 0, 0, 0]}, "Object 2 is turned by a quaternion of length 0; valid: 1"),
+    ],
+)
+def test_scene_that_no_camera_sees_is_refused_and_not_written(changed, said, tmp_path, capsys):
+    folder, file = tmp_path / "camera", tmp_path / "odd.json"
+    shutil.copytree(ROOT / "domains/camera", folder)
+    scene = json.loads((folder / "problems/swap-2-06.scene.json").read_text())
+    scene["objects"][1] |= changed
+    file.write_text(json.dumps(scene))
+    assert said in refusal(capsys, "new-problem", folder, "--scene", file)
+    assert not list(folder.glob("problems/odd*"))

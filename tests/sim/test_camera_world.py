@@ -102,13 +102,15 @@ def test_it_draws_pictures_by_what_is_seen(eye: Path):
 def test_what_cannot_be_seen_is_refused(eye: Path):
     world = CameraWorld(eye=eye)
     scene = world.sample_scene(np.random.default_rng(2), 1)
-    flat, odd = scene.unseen.copy(), scene.unseen.copy()
-    flat[0, 1], odd[0, 3] = -0.1, 99.0
+    flat, odd, huge, still = (scene.unseen.copy() for _ in range(4))
+    flat[0, 1], odd[0, 3], huge[0, 0], still[0, 7:11] = -0.1, 99.0, 5.0, 0.0
     for unseen, said in (
-        (np.zeros((1, 0)), "does not know what its camera sees"),
-        (np.zeros((1, 11)), "does not know what its camera sees"),
-        (flat, "which none has"),
-        (odd, "which none has"),
+        (np.zeros((1, 0)), "there are 0 `unseen` numbers; valid: 11 or"),
+        (np.zeros((1, 11)), "Object 1 is in truth 0 x 0 x 0 m large"),
+        (flat, "Object 1 is in truth .* valid: over 0 and at most 1 m"),
+        (huge, "Object 1 is in truth 5 x"),
+        (odd, "Object 1 has the true type 99; valid: 0, 1, 2"),
+        (still, "Object 1 is turned by a quaternion of length 0; valid: 1"),
     ):
         with pytest.raises(InvalidWorld, match=said):
             world.interact(replace(scene, unseen=unseen), world.action_box.low, 0)
