@@ -1,6 +1,6 @@
 """The stage that teaches an eye: random actions, and what their targets looked like before."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from neurosym.perception.seen_world import Shown
 
 _DRAWS = 50  # of a scene with one object, until the camera sees just that
+_ENOUGH = 100  # objects that are looked at before it is asked whether they differ
 _HIGHEST = 0.1  # images of a user's own are scaled to so much, as crops are high [m]
 _STREAM = 0x736565  # keeps their draws apart from others
 
@@ -105,6 +106,11 @@ def see_stage(
             for number in range(acted + looked):
                 looks.append(_drawn(world, seed, number))
                 advance(number + 1, acted + looked)
+                if number + 1 == min(_ENOUGH, acted) and not _differ(looks):
+                    raise InvalidValue(
+                        f"{number + 1} objects all look the same in the images of the world that {path} "
+                        "names, so that nothing can be learned from them."
+                    )
         drawn = (np.random.default_rng([seed, _STREAM, number, 1]) for number in range(acted))
         actions = np.array([world.action_box.sample(rng, 1)[0] for rng in drawn]).astype(np.float32)
         tasks = [Task(scene, action) for (scene, _), action in zip(looks, actions, strict=False)]
@@ -136,6 +142,11 @@ def see_stage(
 
     options = {"interactions": acted, "looks": looked, "seed": seed}
     return Stage("see", (layout.WORLD,), (layout.EYE, layout.SEEN), work, options, Claim.ALONE)
+
+
+def _differ(looks: Sequence[tuple[Scene, "Shown"]]) -> bool:
+    """Say whether objects look different, so that there is something to learn to see."""
+    return any(not np.array_equal(found.crop, looks[0][1].crop) for _, found in looks)
 
 
 def _drawn(world: Any, seed: int, number: int) -> tuple[Scene, "Shown"]:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tools.benchmarks.budget import codes, ways
+from tools.benchmarks.budget import codes, heights, ways
 from tools.benchmarks.budget.summary import page, summarise
 
 LEARNED = {"cpu": 60.0, "interactions": 1990, "moved": 0.3, "kinds": ["push"], "r2": 0.5}
@@ -76,6 +76,21 @@ def test_groups_are_compared_whatever_they_are_called():
     assert told["r2"] == {"one-budget": [], "random": [0.2, 0.4], "entropy": [0.5], "stages": []}
     assert told["alike"] == {"random and entropy": [1.0], "random": [pytest.approx(1 / 6)]}
     assert "| groups of random and entropy | 1.00 |" in codes.tables({"2000": told})
+
+
+def test_ways_to_explore_are_told_apart_whose_names_begin_alike():
+    cell = {"moved": 0.2, "moved_last": 0.3}
+    jobs = {"high-test-8": {"moved": 0.14, "of": 400}} | {
+        f"high-8-{way}-{seed}": {**cell, "r2": r2 + seed / 10}
+        for way, r2 in (("random", 0.1), ("long-random", 0.5))
+        for seed in (1, 2)
+    }
+    told = heights.summarise(jobs)
+    assert {way: told["8"][way]["r2"] for way in heights.WAYS if way in told["8"]} == {
+        "random": [pytest.approx(0.2), pytest.approx(0.3)],
+        "long-random": [pytest.approx(0.6), pytest.approx(0.7)],
+    }
+    assert "| 8 | 14 % | 4,096 | random | 20 % | 30 % | 0.65 ± 0.07 |" in heights.tables(told)
 
 
 def test_nothing_is_told_of_what_was_not_measured():

@@ -191,7 +191,7 @@ def test_eye_learns_in_a_world_that_gives_images_and_its_features_are_not_shown(
         ("Deep", "gives images with a height of 1e+200 m"),
         ("Moody", "gives other images of the same scene the second time"),
         ("Named", "has a feature v1"),
-        ("Blank", "All crops look the same"),
+        ("Blank", "40 objects all look the same in the images of the world that Blank/world.toml names"),
     ],
 )
 def test_images_that_cannot_be_are_refused(here, name, message, capsys):

@@ -1,11 +1,12 @@
 """When does curiosity pay? The higher the action box, the more random actions move nothing.
 
-For each height, as many interactions are explored by each strategy. A network without a bottleneck learns
-from them, and foresees random actions that do move their target: how much of their effects does it explain?
+For each height, as many interactions are explored in each way. A network without a bottleneck learns from
+them, and foresees random actions that do move their target: how much of their effects does it explain?
+Curiosity is also asked at each update of its networks whether it knows which random actions move something.
 """
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -28,9 +29,37 @@ from tools.benchmarks.world.measures import random_tasks
 
 HEIGHTS = (1, 2, 4, 8)
 """How many times as high above the target as usual waypoints may lie."""
-STRATEGIES: tuple[StrategyName, ...] = ("random", "entropy", "disagreement")
+
+
+@dataclass(frozen=True)
+class Exploring:
+    """A way to explore.
+
+    Attributes:
+        about: What it is, in words.
+        strategy: How actions are chosen.
+        steps: How many interactions.
+        block: How many of them lie between two updates of the networks.
+        heights: The boxes that it is tried in.
+    """
+
+    about: str
+    strategy: StrategyName
+    steps: int = 1024
+    block: int = ExplorationConfig().block
+    heights: tuple[int, ...] = HEIGHTS
+
+
+_LONG: Mapping[str, Any] = {"steps": 4096, "heights": (1, 8)}
+WAYS: Mapping[str, Exploring] = {
+    "random": Exploring("random", "random"),
+    "entropy": Exploring("entropy", "entropy"),
+    "disagreement": Exploring("disagreement", "disagreement"),
+    "often": Exploring("disagreement, updated each 128", "disagreement", block=128),
+    "long-random": Exploring("random", "random", **_LONG),
+    "long-disagreement": Exploring("disagreement", "disagreement", **_LONG),
+}
 MOVED = 0.01  # what moves an object less far does nothing to it [m]
-_STEPS = 1024
 _TESTED, _DRAWN, _TEST_SEED = (
     300,
     6000,
@@ -51,10 +80,10 @@ class High(Tabletop):
 def jobs(work: Path, seeds: int) -> tuple[Jobs, Jobs]:
     """List the jobs that draw what is foreseen, and those that explore and foresee it."""
     return {f"high-test-{height}": partial(_test, work, height) for height in HEIGHTS}, {
-        f"high-{height}-{strategy}-{seed}": partial(_learn, work, height, strategy, seed)
+        f"high-{height}-{name}-{seed}": partial(_learn, work, height, way, seed)
         for seed in range(1, seeds + 1)
-        for height in HEIGHTS
-        for strategy in STRATEGIES
+        for name, way in WAYS.items()
+        for height in way.heights
     }
 
 
@@ -82,18 +111,19 @@ def _test(work: Path, height: int) -> dict[str, Any]:
     return {"moved": float(kept.mean()), "of": len(every)}
 
 
-def _learn(work: Path, height: int, strategy: StrategyName, seed: int) -> dict[str, Any]:
+def _learn(work: Path, height: int, way: Exploring, seed: int) -> dict[str, Any]:
     """Explore, learn from it, and foresee what moves something."""
     regime = regime_named("default")
     explored = explore(
         partial(High, height),
-        steps=_STEPS,
-        strategy=strategy,
+        steps=way.steps,
+        strategy=way.strategy,
         seed=seed,
         config=ExplorationConfig(
+            block=way.block,
             learning=LearningConfig(
                 learning_rate=regime.exploration_rate, loss_coefficient=regime.training.loss_coefficient
-            )
+            ),
         ),
         model_config=regime.exploration,
     )
@@ -101,32 +131,43 @@ def _learn(work: Path, height: int, strategy: StrategyName, seed: int) -> dict[s
     network = fit_direct(samples, dimensions_of(explored), regime.training, seed, lambda *_: None)
     test = Interactions.load(work / f"high-{height}.npz")
     explained = r_squared(network.predict(test.features, test.actions), np.asarray(test.effects, dtype=float))
-    return {"moved": float(moved(explored).mean()), "r2": float(explained.mean())}
+    last = explored[np.arange(way.steps - way.steps // 4, way.steps)]
+    return {
+        "moved": float(moved(explored).mean()),
+        "moved_last": float(moved(last).mean()),
+        "r2": float(explained.mean()),
+    }
 
 
 def summarise(found: Found) -> dict[str, Any]:
-    """Gather what each strategy explains of what moves something, by the share of random actions that do."""
+    """Gather what each way explains of what moves something, by the share of random actions that do."""
     summary = dict[str, Any]()
     for height in HEIGHTS:
         if drawn := found.get(f"high-test-{height}"):
             summary[str(height)] = {"moved": drawn["moved"]}
-            for strategy in STRATEGIES:
-                cells = [found[name] for name in found if name.startswith(f"high-{height}-{strategy}-")]
-                summary[str(height)][strategy] = {key: [one[key] for one in cells] for key in ("moved", "r2")}
+            for name in WAYS:
+                cells = [found[job] for job in found if job.startswith(f"high-{height}-{name}-")]
+                if cells:
+                    told = {key: [one[key] for one in cells] for key in ("moved", "moved_last", "r2")}
+                    summary[str(height)][name] = told
     return summary
 
 
 def tables(summary: Mapping[str, Any]) -> str:
-    """Write a row for each height and strategy."""
+    """Write a row for each height and way."""
     rows = [
         [
             height,
             percent(told["moved"]),
-            strategy,
-            percent(mean_of(told[strategy]["moved"])),
-            over_seeds(told[strategy]["r2"], "{:.2f}", 2),
+            f"{way.steps:,}",
+            way.about,
+            percent(mean_of(told[name]["moved"])),
+            percent(mean_of(told[name]["moved_last"])),
+            over_seeds(told[name]["r2"], "{:.2f}", 2),
         ]
         for height, told in summary.items()
-        for strategy in STRATEGIES
+        for name, way in WAYS.items()
+        if name in told
     ]
-    return table("height | random actions that move | explored by | of these move | R2 of what moves", rows)
+    heads = "height | random actions that move | explored | by | of these move | of the last quarter"
+    return table(f"{heads} | R2 of what moves", rows)

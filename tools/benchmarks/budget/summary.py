@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from neurosym.exploration.loop import ExplorationConfig
 from tools.benchmarks.budget import codes, heights
 from tools.benchmarks.budget.ways import STAGES, TOWERS, WAYS
 from tools.benchmarks.jobs import Found, machine
@@ -149,9 +150,10 @@ def page(summary: Mapping[str, Any]) -> str:
         "and between two seeds of one way. The adjusted Rand index is 1 for the same groups, 0 for chance.",
         codes.tables(summary["codes"]),
         "## When curiosity pays",
-        "In an action box so many times as high, more random actions move nothing. From 1,024 explored "
-        "interactions a network without a bottleneck learned; R2 is of what it foresees of random actions "
-        "that do move their target, with the standard deviation over seeds.",
+        "In an action box so many times as high, more random actions move nothing. From what was explored a "
+        "network without a bottleneck learned; R2 is of what it foresees of random actions that do move "
+        "their target, with the standard deviation over seeds. The networks that are curious are updated "
+        f"each {ExplorationConfig().block} interactions, if nothing else is said.",
         heights.tables(summary["curiosity"]),
         "## What it took",
         "CPU minutes since the point before; share of what explored that moved its target by 1 cm or "
