@@ -30,7 +30,7 @@ from neurosym.stages.learning import AIMS, distill_stage, explore_stage, ledger_
 from neurosym.stages.rounds import explored_in, perform
 from tools.benchmarks import options
 from tools.benchmarks.budget import codes, heights, interaction
-from tools.benchmarks.budget.curve import draw
+from tools.benchmarks.budget.curve import draw, draw_curiosity
 from tools.benchmarks.budget.summary import page, summarise
 from tools.benchmarks.budget.ways import STAGES, TOWERS, WAYS, Cell, domain_name, left_out
 from tools.benchmarks.carrying.tasks import far
@@ -88,6 +88,7 @@ def main(
     def report() -> None:
         summary = summarise(evaluation.found())
         draw(summary, results / "budget.png")
+        draw_curiosity(summary["curiosity"], results / "curiosity.png")
         evaluation.write(summary, page(summary))
 
     evaluation.perform({"random-actions": partial(codes.test, work)}, "random actions")

@@ -136,11 +136,11 @@ def page(summary: Mapping[str, Any]) -> str:
     ]
     return document(
         "# Budgets, measured",
-        "By `make evaluate-budget`, which wrote this page, `budget.json` and `budget.png`. Interactions are "
-        "all that were performed, whatever for. Goals within 50 mm, or 20 mm where it is said; in *far* "
-        "tasks they lie anywhere on the table, for objects that can be grasped. *On* and *in*: how often "
-        "the surest operator brings that about where it is foreseen. Shares are means over seeds, with the "
-        "interval at 95 % of so many tasks.",
+        "By `make evaluate-budget`, which wrote this page, `budget.json`, `budget.png` and `curiosity.png`. "
+        "Interactions are all that were performed, whatever for. Goals within 50 mm, or 20 mm where it is "
+        "said; in *far* tasks they lie anywhere on the table, for objects that can be grasped. *On* and "
+        "*in*: how often the surest operator brings that about where it is foreseen. Shares are means over "
+        "seeds, with the interval at 95 % of so many tasks.",
         "![Goals reached blindly by interactions](budget.png)",
         table("way | interactions | tasks | seeds | followed blindly | replanned", rows),
         *(f"*{name}*: {way.about}." for name, way in WAYS.items()),
@@ -154,6 +154,7 @@ def page(summary: Mapping[str, Any]) -> str:
         "network without a bottleneck learned; R2 is of what it foresees of random actions that do move "
         "their target, with the standard deviation over seeds. The networks that are curious are updated "
         f"each {ExplorationConfig().block} interactions, if nothing else is said.",
+        "![What is explained, by how many random actions move something](curiosity.png)",
         heights.tables(summary["curiosity"]),
         "## What it took",
         "CPU minutes since the point before; share of what explored that moved its target by 1 cm or "
