@@ -39,6 +39,8 @@ def test(work: Path) -> int:
 
 def judge(work: Path, folder: Path) -> dict[str, Any]:
     """Say what a network explains of random actions by their codes, and which symbols it gives them."""
+    if not (work / "codes.npz").exists():  # on another machine than the job that performed them
+        test(work)
     model, seen = EffectModel.load(folder / layout.MODEL), Interactions.load(work / "codes.npz")
     mean, _ = model.predict_from_codes(seen.features, seen.actions)
     explained = r_squared(mean, np.asarray(seen.effects, dtype=float))

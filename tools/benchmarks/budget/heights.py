@@ -129,6 +129,8 @@ def _learn(work: Path, height: int, way: Exploring, seed: int) -> dict[str, Any]
     )
     samples = samples_of(explored, mirrors=regime.training.mirrors)
     network = fit_direct(samples, dimensions_of(explored), regime.training, seed, lambda *_: None)
+    if not (work / f"high-{height}.npz").exists():  # on another machine than the job that performed them
+        _test(work, height)
     test = Interactions.load(work / f"high-{height}.npz")
     explained = r_squared(network.predict(test.features, test.actions), np.asarray(test.effects, dtype=float))
     last = explored[np.arange(way.steps - way.steps // 4, way.steps)]
