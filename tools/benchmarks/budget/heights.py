@@ -2,7 +2,7 @@
 
 For each height, as many interactions are explored in each way. A network without a bottleneck learns from
 them, and foresees random actions that do move their target: how much of their effects does it explain?
-Curiosity is also asked at each update of its networks whether it knows which random actions move something.
+What of the last quarter moved its target says whether curiosity knows by then which actions do.
 """
 
 from collections.abc import Mapping
