@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import msgspec
 import numpy as np
 
+from neurosym.checks import Float
 from neurosym.errors import InvalidValue, counted
 from neurosym.execution.performance import perform
 from neurosym.grounding import Grounding
@@ -59,7 +60,7 @@ def try_once(world: World, scene: Problem, grounding: Grounding) -> Tried | None
     """
     item = as_it_shows(scene.objects[0], grounding)
     steps = plan(scene, grounding).steps if scene.unmet else ()
-    operator, aim = _next(item, grounding, [step.base for step in steps]), None
+    operator, aim = _next(item, grounding, [step.base for step in steps], _way(scene)), None
     if operator is None or (promise := operator.promise) is None:
         return None
     if operator.frame == "place":
@@ -73,12 +74,22 @@ def try_once(world: World, scene: Problem, grounding: Grounding) -> Tried | None
     return Tried(operator.name, trial_of(outcome, operator, grounding.turned), kept)
 
 
-def _next(item: SceneObject, grounding: Grounding, planned: Sequence[str]) -> Operator | None:
+def _way(scene: Problem) -> Float[np.ndarray, "2"]:
+    """Return how far the goal of the one object of a scene is along x and y [m]; 0 if it needs no way."""
+    (item,) = scene.objects
+    goal = scene.goals[item.name] if scene.unmet else item.position
+    return np.subtract(goal, item.position)[:2]
+
+
+def _next(
+    item: SceneObject, grounding: Grounding, planned: Sequence[str], way: Float[np.ndarray, "2"]
+) -> Operator | None:
     """Choose what to try with an object that may have a past, as it promises; None if there is nothing.
 
-    That is the first motion of a plan that was not tried; then what carries, and then the surest. The same
-    motion mostly does the same again, so that others tell more. Every second try is of what carries other
-    categories, if nothing carries this object surely.
+    That is the first motion of a plan that was not tried; then what carries, and then what probably leads it
+    farthest towards its goal, or the surest if it has none. The same motion mostly does the same again, so
+    that others tell more. Every second try is of what carries other categories, if nothing carries this
+    object surely.
     """
     past = past_of(item)
     known = promised(grounding, msgspec.structs.replace(item, past=past)).values()
@@ -91,10 +102,16 @@ def _next(item: SceneObject, grounding: Grounding, planned: Sequence[str]) -> Op
         return max(others, key=lambda one: (one.chance, one.name))
     if first := next((untried[name] for name in planned if name in untried), None):
         return first
-    ranked = sorted(
-        untried.values() or promising, key=lambda one: (one.frame != "place", -one.chance, one.name)
-    )
-    return next(iter(ranked), None)
+    rest = untried.values() or promising
+    return max(rest, key=lambda one: (one.frame == "place", _worth(one, way), one.name), default=None)
+
+
+def _worth(operator: Operator, way: Float[np.ndarray, "2"]) -> float:
+    """Return how likely what carries does so; of what pushes, how far it probably leads that way [m]."""
+    if operator.frame == "place" or operator.promise is None or not way.any():
+        return operator.chance
+    led = float(np.dot(operator.promise.resting_effect[:2], way) / np.linalg.norm(way))
+    return operator.chance * min(led, float(np.linalg.norm(way)))
 
 
 def _place(item: SceneObject, table: Table) -> tuple[float, float]:

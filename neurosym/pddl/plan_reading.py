@@ -31,6 +31,7 @@ from neurosym.pddl.strips_problem import StripsProblem
 from neurosym.pddl.syntax import Atom
 from neurosym.problems import Problem
 from neurosym.tasks.options import PUT_DOWN
+from neurosym.tasks.promises import promised
 from neurosym.tasks.task import Task, understand
 from neurosym.tasks.transition import PlanStep
 
@@ -314,7 +315,7 @@ def _step(name: str, arguments: Sequence[str], problem: Problem, grounding: Grou
         return PlanStep(operator.name, thing, others[0])
     if operator.frame == "side":  # whether it lies on that side is for the exact replay to judge
         return step
-    if operator.subject != item.category:
+    if operator.subject != item.category and operator.name not in promised(grounding, item):
         raise InvalidValue(
             f"{operator.name} is for objects of category {grounding.category(operator.subject).name}, "
             f"and {thing} is of category {grounding.category(item.category).name}"

@@ -15,7 +15,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
-from itertools import count, islice
+from itertools import combinations_with_replacement, count, islice
 
 import numpy as np
 
@@ -29,7 +29,7 @@ from neurosym.problems import Problem
 from neurosym.tasks.options import PUT_DOWN, step_cost
 from neurosym.tasks.promises import promised
 from neurosym.tasks.task import footprints_apart, is_within, overlapping
-from neurosym.tasks.transition import PlanStep, Replay, operator_for, validate
+from neurosym.tasks.transition import PlanStep, Replay, expected_success, operator_for, validate
 
 MOST_STEPS = 60
 """How many moves of one object are counted with."""
@@ -373,6 +373,10 @@ class _Join:
 # everything stands, so no set of steps is looked at twice.
 MOST_STATES = 5_000
 """How many beginnings of plans are tried."""
+EXCHANGED = 2
+"""So many moves of an object are exchanged for others at most, where cells round a plan beside its goal."""
+MOST_EXCHANGES = 100
+"""How many of the cheapest such ways are judged."""
 
 
 def ends_held(steps: Sequence[PlanStep], grounding: Grounding) -> bool:
@@ -381,12 +385,36 @@ def ends_held(steps: Sequence[PlanStep], grounding: Grounding) -> bool:
 
 
 def mend(
-    steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, effort: Effort | None = None
+    steps: Sequence[PlanStep],
+    problem: Problem,
+    grounding: Grounding,
+    effort: Effort | None = None,
+    *,
+    cell: float = 0.0,
 ) -> tuple[tuple[PlanStep, ...], Replay]:
     """Find an order of the steps in which all are possible, beginning with the one given.
 
-    Returns the one given if none is found; and the replay. What is tried is counted as effort.
+    Where they miss a goal by no more than cells round, few of them are exchanged.
+
+    Args:
+        steps: The steps.
+        problem: What they are to solve.
+        grounding: What their operators promise.
+        effort: What is tried is counted there.
+        cell: Edge of the cells that they were planned over [m]; 0 if there were none.
+
+    Returns:
+        The steps, as they were given if nothing is found, and their replay.
     """
+    ordered, replay = _in_possible_order(steps, problem, grounding, effort)
+    if replay.possible and not replay.valid and cell:
+        return _brought_near(ordered, replay, problem, grounding, cell)
+    return ordered, replay
+
+
+def _in_possible_order(
+    steps: Sequence[PlanStep], problem: Problem, grounding: Grounding, effort: Effort | None
+) -> tuple[tuple[PlanStep, ...], Replay]:
     given = validate(steps, problem, grounding)
     if given.possible or not steps:
         return tuple(steps), given  # valid, or missing its goal in every order
@@ -433,3 +461,44 @@ def _ordered(
             after[row] = spots[1]
             waiting.append(((*done, number), fewer, after))
     return ()
+
+
+def _brought_near(
+    steps: tuple[PlanStep, ...], replay: Replay, problem: Problem, grounding: Grounding, cell: float
+) -> tuple[tuple[PlanStep, ...], Replay]:
+    """Give objects that cells round away the likeliest of the cheapest ways that differ by few moves."""
+    for name, miss in problem.distances(replay.positions[-1]).items():
+        own = [step for step in steps if step.object == name]
+        rounded = len(own) * cell / math.sqrt(2)
+        if not problem.tolerance < miss <= problem.tolerance + rounded or ends_held(own, grounding):
+            continue
+        alone = problem.only(name)
+        (choices,) = choices_of(alone, grounding)
+        counts = np.array([sum(step.operator == one for step in own) for one in choices.operators])
+        near = islice(_variations(choices, counts, alone.goals[name], alone.tolerance), MOST_EXCHANGES)
+        ways = [choices.steps(name, one, held=False) for one in near]
+        first, others = steps.index(own[0]), [step for step in steps if step.object != name]
+        for way in sorted(ways, key=lambda way: -expected_success(way, alone, grounding)):
+            varied = (*others[:first], *way, *others[first:])
+            if (checked := validate(varied, problem, grounding)).possible:
+                steps, replay = varied, checked
+                break
+    return steps, replay
+
+
+def _variations(
+    choices: Choices, counts: Int[np.ndarray, " k"], goal: Vector, tolerance: float
+) -> Iterator[tuple[int, ...]]:
+    """List the ways near a goal [m] that differ by few moves from one, the cheapest first; none is held."""
+    kinds = range(len(counts))
+    some = [one for size in range(EXCHANGED + 1) for one in combinations_with_replacement(kinds, size)]
+    changes = np.array([np.bincount(one, minlength=len(counts)) for one in some], dtype=int)
+    left = counts - changes
+    left = left[(left >= 0).all(1)]
+    ends = choices.start + (left @ choices.settled)[:, None] + changes @ choices.settled
+    costs = (left @ choices.costs)[:, None] + changes @ choices.costs
+    rows = np.argwhere(np.linalg.norm(ends - np.array(goal), axis=-1) <= tolerance)
+    ranked = rows[np.argsort(costs[*rows.T], kind="stable")].tolist()
+    for varied in dict.fromkeys(tuple((left[out] + changes[new]).tolist()) for out, new in ranked):
+        if (order := _order(choices, varied)) is not None:
+            yield order

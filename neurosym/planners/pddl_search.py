@@ -50,6 +50,7 @@ from neurosym.planners.planner import (
 )
 from neurosym.problems import Problem
 from neurosym.tasks.options import step_cost
+from neurosym.tasks.promises import usable
 from neurosym.tasks.task import PARK, footprints_apart, is_reached, overlapping, understand, why_no_relation
 from neurosym.tasks.transition import PlanStep, expected_success, operator_for, validate
 from neurosym.world import Table
@@ -252,7 +253,8 @@ class _Search:
             elif result.status is not PlanStatus.SOLVED:
                 return result
             else:
-                steps, replay = mend(result.steps, problem, grounding)
+                cell = max(grounding.cell, self.program.cell)
+                steps, replay = mend(result.steps, problem, grounding, cell=cell)
                 if replay.valid:
                     return dataclasses.replace(result, steps=steps, reason=said)
                 wrong = replay.reason
@@ -398,8 +400,8 @@ def _away_from_edges(grounding: Grounding, problem: Problem) -> Grounding:
 
 def _fitted(grounding: Grounding, problem: Problem, cell: float) -> Grounding:
     """Keep only what the problem needs, on another grid, with a table that reaches to where objects stand."""
-    categories = {item.category for item in problem.objects}
-    kept = tuple(operator for operator in grounding.live if operator.subject in categories)
+    used = {operator.name for item in problem.objects for operator in usable(grounding, item)}
+    kept = tuple(operator for operator in grounding.live if operator.name in used)
     room = problem.room(grounding.table, rounded=0.0)
     (x_low, y_low), (x_high, y_high) = room[0].min(axis=0).tolist(), room[1].max(axis=0).tolist()
     return msgspec.structs.replace(

@@ -49,8 +49,9 @@ BORROWED = 0.24
 """How much rarer than with objects of its category an operator keeps its promise with one that was tried.
 
 Of the objects that `EXPECTED` was chosen on, those that nothing of their own category grasps surely were
-carried so in 24 % of 465 cases. So it is planned with once it was tried and came true. Objects that were not
-tried are grasped as their features say: to borrow for these took a fifth more motions in 40 runs.
+carried so in 24 % of 465 cases. So it is planned with once it was tried and came true. Pushes count alike,
+and what one did is planned with in place of its promise. Objects that were not tried are handled as their
+features say: to borrow for these took a fifth more motions in 40 runs.
 """
 _STRAIGHT = (0.0, 0.0, 0.0, 1.0)
 GRASPED = ("held", "carried")
@@ -155,7 +156,7 @@ def promised_after(
 
     Args:
         own: What is learned of its category, as it promises for such an object of which nothing was seen.
-        known: All that is learned; what grasps objects of other categories may grasp it, if it was tried.
+        known: All that is learned; what other categories are handled with may handle it, if it was tried.
         past: What was seen of it while it lay as it does now.
         tolerance: An outcome that comes within this of the promise has kept it [m].
     """
@@ -226,14 +227,14 @@ def _reliability(operator: Operator, evidence: Mapping[str, _Shown]) -> float:
 
 
 def _borrowed(known: Iterable[Operator], own: Iterable[Operator]) -> dict[str, Operator]:
-    """Return what grasps objects of other categories, by name, as it promises of an object that is of none.
+    """Return what is done to objects of other categories, by name, as it promises of one that is of none.
 
     The motions of its own category are left out.
     """
     motions, found = {motion_of(one) for one in own}, dict[str, Operator]()
     for operator in known:
         motion, promise = motion_of(operator), operator.promise
-        if operator.frame != "pair" and promise and promise.kind in GRASPED and motion not in motions:
+        if operator.frame != "pair" and promise and motion not in motions:
             plain = msgspec.structs.replace(operator, rehearsals=(), objects=(), company=())
             one = _promising(plain, promise, BORROWED * _share(operator))
             if motion not in found or one.successes > found[motion].successes:

@@ -42,7 +42,7 @@ def promised(grounding: Grounding, item: SceneObject, tolerance: float = TOLERAN
 
     Each has the name, the category and the primitive of the operator that was learned, and no rehearsals.
     Objects that are unlike all that were rehearsed are promised what their category is. Those with a past are
-    promised what that tells; if they were tried, also to be grasped as other categories are. An outcome that
+    promised what that tells; if they were tried, also to be handled as other categories are. An outcome that
     comes within the tolerance of the promise has kept it [m]. Where motions are turned as objects lie, so are
     promises.
     """

@@ -2,12 +2,13 @@
 
 import itertools
 import sys
+from collections import Counter
 
 import pytest
 import toy_domain
 import toy_places
 from msgspec.structs import replace
-from tables import grounding, item, problem, total_cost
+from tables import LEFT, PUSH, grounding, item, mode, problem, total_cost, with_modes
 from validators import quiet
 
 import neurosym
@@ -116,6 +117,25 @@ def test_plan_whose_replay_is_wrong_is_planned_again_and_given_up_in_the_end():
     assert "no plan was true when replayed, in 4 attempts" in gave_up.reason
     cells = [text.count("x-cell") and text.split(" - x-cell")[0].count(" x") for text in asked[-4:]]
     assert cells[2] == cells[3] > 2.9 * cells[1]  # the later half is solved on a finer grid
+
+
+def test_few_steps_of_a_plan_that_cells_round_are_exchanged_and_no_more_are():
+    learned = with_modes("push-left-000-block", mode((0.0, 0.05, 0.0)), learned=grounding(0.02))
+    learned = with_modes("push-away-001-block", mode((0.03, 0.03, 0.0)), learned=learned)
+    asked = list[str]()
+
+    def scripted(domain, task, *, time_limit: float) -> PlannerAnswer:
+        asked.append(task.read_text())
+        return PlannerAnswer(PlanStatus.SOLVED, "(push-left-000-block item-01)\n" * 5, 0.1)
+
+    planner = pddl_planner("scripted", "a script", scripted, ("strips",))
+    task = Problem("p", (item("item-01", 0.5, 0.0),), {"item-01": (0.53, 0.23, 0.025)}, tolerance=0.01)
+    found = plan(task, learned, planner)
+    assert (found.status, len(asked)) == (PlanStatus.SOLVED, 1)
+    assert Counter(found.steps) == {LEFT: 4, PUSH: 1}
+    assert validate(found.steps, task, learned).valid
+    finer = plan(task, replace(learned, cell=0.005), planner)  # so far cells would not round
+    assert finer.status is PlanStatus.FAILED
 
 
 def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(monkeypatch: pytest.MonkeyPatch):
