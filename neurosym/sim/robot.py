@@ -10,7 +10,7 @@ from importlib.resources import files
 
 import numpy as np
 
-from neurosym.checks import Float
+from neurosym.checks import Bool, Float
 from neurosym.contract import CLEARANCE, FINGER_SPEED, PEAK_SPEED, way_seconds
 from neurosym.errors import InvalidValue
 from neurosym.sim.config import Arm, pybullet
@@ -181,11 +181,23 @@ class Robot:
         if not self._simulation.is_quiet():
             return 0
         boxes = self._simulation.boxes()  # (B, 2, 3)
+        soon = _RUN_UP + 2
+        if self._comes_near(boxes, points[:soon], half_openings[:soon]).any():
+            return 0
+        is_near = self._comes_near(boxes, points, half_openings)
+        return int(np.argmax(is_near)) - 1 - _RUN_UP if is_near.any() else len(points) - 1
+
+    def _comes_near(
+        self,
+        boxes: Float[np.ndarray, "B 2 3"],
+        points: Float[np.ndarray, "T 3"],
+        half_openings: Float[np.ndarray, "T"],
+    ) -> Bool[np.ndarray, "T"]:
+        """Say at which tool points the hand is near one of the boxes, whose corners are given [m]."""
         low, high = hand_boxes(self._arm, half_openings, self.turn)  # (T, 3, 3)
         low, high = low + points[:, None] - CLEARANCE, high + points[:, None] + CLEARANCE
         meets = (low[:, :, None] < boxes[:, 1]) & (boxes[:, 0] < high[:, :, None])  # (T, 3, B, 3)
-        is_near = meets.all(3).any((1, 2))
-        return max(0, int(np.argmax(is_near)) - 1 - _RUN_UP if is_near.any() else len(points) - 1)
+        return np.asarray(meets.all(3).any((1, 2)))
 
     def _pass(self, ticks: int, joints: Sequence[int], end: Drive, between: Sequence[Drive]) -> None:
         """Let time pass that is not simulated, until joints are at an end; those between are only shown."""
@@ -321,7 +333,8 @@ def joints_for(points: Float[np.ndarray, "N 3"]) -> Float[np.ndarray, "N 6"]:
     if not np.all(np.isfinite(joints)):
         x, y, z = points[int(np.argwhere(~np.isfinite(joints))[0][0])]
         raise InvalidValue(f"The point ({x:.3f}, {y:.3f}, {z:.3f}) m is out of the arm's reach.")
-    return np.unwrap(joints, axis=0)
+    has_jumps = len(joints) > 1 and np.abs(np.diff(joints, axis=0)).max() >= np.pi
+    return np.unwrap(joints, axis=0) if has_jumps else joints
 
 
 UR10 = Arm(
