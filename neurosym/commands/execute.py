@@ -120,6 +120,8 @@ def execute(
         say(f"follows {plan_file} as it is, to its end{'' if record_beside(plan_file) else f'; {more}'}")
     else:
         say(f"follows {plan_file}, and asks {replanner} for a new plan where it would miss the goal")
+    for remark in domain.outdated_file(plan_file):
+        say(f"note: {remark}")
     domain.perform(stage, again=True)
     run = load_run(domain, name, plan_file)
     if not run.plan:
@@ -244,10 +246,8 @@ def replay(
             "Runs with data of your own are not replayed; `neurosym execute` performs a plan again."
         )
     record = _record(domain, record)
-    inside, home = record.resolve(), domain.path.resolve()
-    if inside.is_relative_to(home):
-        for remark in domain.outdated((inside.relative_to(home).as_posix(),)):
-            say(f"note: {remark}")
+    for remark in domain.outdated_file(record):
+        say(f"note: {remark}")
     showing = _showing_of(gif, strip, gui)
     if page:
         run, agreement = _replayed_on_page(domain, record, showing, page)

@@ -459,6 +459,8 @@ def validate(
     answer, domain = answer_in(json), opened(folder)
     name = domain.problem(problem)
     plan_file = given_plan(domain, folder, name, plan_file, must_fit=False)
+    for remark in domain.outdated_file(plan_file):
+        say(f"note: {remark}")
     of_values = is_of_values(domain)
     judged = judge_value_plan(domain, name, plan_file) if of_values else None
     verdict = judged or judge_plan(domain, name, plan_file, tolerance)

@@ -92,7 +92,7 @@ somebody stopped it; old records do not say."""
 
 
 class StepRecord(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """One step of a plan: what was promised and what happened."""
+    """One step of a plan: what was promised, by what was known before the run, and what happened."""
 
     operator: str  # name of the operator
     object: str  # name of the object acted upon

@@ -286,8 +286,8 @@ class DomainFolder:
     def _record(self, stage: Stage, inputs: dict[str, str], seconds: float, drafts: Drafts) -> None:
         """Put what a stage wrote in place, with a manifest that tells of it.
 
-        Records of other stages get the digests of what was written anew for them. Nobody else records a stage
-        meanwhile, whose record would be lost.
+        Records of other stages get the digests of what was written anew for them, and this one those that no
+        other has. Nobody else records a stage meanwhile, whose record would be lost.
         """
         path = self.path / layout.MANIFEST
         write_new(path, msgspec.json.encode(Manifest()))  # so that there is what to lock
@@ -299,7 +299,9 @@ class DomainFolder:
                 )
                 for name, one in self.manifest().stages.items()
             }
-            outputs = self._digests(stage.outputs)
+            others = {file for name, one in stages.items() if name != stage.name for file in one.outputs}
+            own = {file: made for file, made in renewed.items() if file not in others}
+            outputs = self._digests(stage.outputs) | own
             stages[stage.name] = StageRecord(stage.options, inputs, outputs, seconds, versions())
             write_json(path, Manifest(stages))
             drafts.put_in_place()
@@ -338,12 +340,22 @@ class DomainFolder:
             made = {name: made for name, made in record.outputs.items() if name in names}
             if not made or made != self._digests(tuple(made)):
                 continue
-            now = self._digests(tuple(record.inputs))
+            now, said = self._digests(tuple(record.inputs)), list[str]()
             if changed := [name for name, digested in now.items() if digested != record.inputs[name]]:
-                files, others = " and ".join(made), " and ".join(changed)
+                said.append(f"from another {' and '.join(changed)}")
+            forgotten = [name for name in record.inputs if name not in now and name.startswith(layout.PASTS)]
+            if forgotten:
+                said.append(f"from {' and '.join(forgotten)}, which was forgotten")
+            if said:
                 command = _command(self.path, stage, next(iter(made)))
-                remarks.append(f"{files} came from another {others}; `{command}` makes it anew")
+                came = f"{' and '.join(made)} came {' and '.join(said)}"
+                remarks.append(f"{came}; `{command}` makes it anew")
         return remarks
+
+    def outdated_file(self, path: Path) -> list[str]:
+        """Say the same of a file, wherever it lies; nothing is said of one that lies elsewhere."""
+        inside, home = path.resolve(), self.path.resolve()
+        return self.outdated((inside.relative_to(home).as_posix(),)) if inside.is_relative_to(home) else []
 
     def is_as_made(self, name: str) -> bool:
         """Say whether a file is as a command wrote it, and was not put there or changed since."""
@@ -357,7 +369,8 @@ class DomainFolder:
             record is not None
             and record.options == stage.options
             and record.inputs == self._digests(stage.inputs)
-            and record.outputs == self._digests(stage.outputs)
+            and {file: made for file, made in record.outputs.items() if file not in stage.renews}
+            == self._digests(stage.outputs)
         )
 
     def _digests(self, names: tuple[str, ...]) -> dict[str, str]:

@@ -13,13 +13,14 @@ from neurosym.problems import Problem, SceneObject, check_on_table
 from neurosym.stages import layout
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.past_files import Past, load_past
+from neurosym.tasks.lying import as_it_shows
 from neurosym.world import World
 
 
 def met_in_words(folder: DomainFolder, grounding: Grounding, names: Collection[str] = ()) -> Iterator[str]:
     """Say of objects that were met, all if none are named, what they look like and how they are best handled.
 
-    Nothing is said of such that the domain does not know the like of.
+    They are taken as they lay at last. Nothing is said of such that the domain does not know the like of.
     """
     paths = sorted((folder / layout.PASTS).glob("*.json"))
     pasts = [Past.load(path) for path in paths if not names or path.stem in names]
@@ -34,7 +35,10 @@ def met_in_words(folder: DomainFolder, grounding: Grounding, names: Collection[s
             continue
         standing = (0.0, 0.0, past.features[2] / 2)
         item = SceneObject(past.name, symbol, past.features, standing, past=past.trials)
-        yield f"{said_of(item, grounding)} (tried {counted(len(past.trials), 'time')})"
+        if past.trials:
+            item = msgspec.structs.replace(item, orientation=past.trials[-1].lay)
+        motions = counted(len(past.trials), "motion")
+        yield f"{said_of(as_it_shows(item, grounding), grounding)} ({motions} with it so far)"
 
 
 class Meeting:

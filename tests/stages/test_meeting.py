@@ -44,7 +44,7 @@ def test_tries_go_on_where_they_ended_and_are_forgotten_on_demand(folder, tmp_pa
     assert neurosym("meet", folder, TASK, "--tries", 2) == 0
     said = capsys.readouterr().out
     assert "item-01 looks like solid-low-10, and did as such objects do 2 of 2 times; it is best" in said
-    assert "(tried 2 times)" in said
+    assert "(2 motions with it so far)" in said
     assert contents(folder / "pasts") == contents(other / "pasts")
     assert neurosym("explain", folder) == 0
     assert "item-01 looks like" in capsys.readouterr().out
@@ -73,6 +73,36 @@ def test_plans_and_runs_of_what_was_met_go_by_its_past_and_add_to_it(folder, cap
     neurosym("plan", folder, TASK)
     assert plan.read_text() != first if plan.exists() else True
     assert "carry-to" not in capsys.readouterr().out
+
+
+def test_a_scene_that_somebody_put_there_is_printed_anew_and_a_plan_says_that_a_past_was_forgotten(
+    folder, capsys
+):
+    scene = json.loads((folder / "problems" / f"{TASK}.scene.json").read_text())
+    (folder / "problems" / "own.scene.json").write_text(json.dumps({**scene, "name": "own"}))
+    assert neurosym("plan", folder, "own") == 0
+    assert neurosym("meet", folder, "own", "--tries", 2) == 0
+    for _ in range(2):
+        capsys.readouterr()
+        assert neurosym("plan", folder, "own") == 0
+        assert "is not as it was printed" not in capsys.readouterr().out
+    plan = folder / "plans" / "own.fast-downward.plan"
+    assert neurosym("validate", folder, "own", plan) == 0
+    assert "forgotten" not in capsys.readouterr().out
+    assert neurosym("meet", folder, "own", "--forget", "--tries", 0) == 0
+    neurosym("validate", folder, "own", plan)
+    assert "came from pasts/item-01.json, which was forgotten" in capsys.readouterr().out
+
+
+def test_what_was_met_is_told_of_as_it_lay_at_last(folder, capsys):
+    assert neurosym("meet", folder, TASK, "--tries", 2) == 0
+    on_a_side = [{**one, "lay": [0.5**0.5, 0.0, 0.0, 0.5**0.5]} for one in past(folder)["trials"]]
+    (folder / "pasts" / "item-01.json").write_text(json.dumps({**past(folder), "trials": on_a_side}))
+    capsys.readouterr()
+    assert neurosym("explain", folder) == 0
+    said = capsys.readouterr().out
+    assert "item-01 looks like" in said
+    assert "item-01 looks like solid-low-10" not in said
 
 
 def test_a_past_of_another_object_is_refused_by_who_meets_and_left_aside_by_plans(folder, capsys):
