@@ -1,7 +1,8 @@
 """From a problem to a plan that is believed: print PDDL, call a planner, read the plan, replay it.
 
 Where every object that has a goal can be carried, or relations are asked for, that takes one call. What is
-led over cells is planned for again if the replay says no: with smaller goal regions, and on a finer grid.
+led over cells is mended if the replay says no, or planned for again: with smaller goal regions, and on a
+finer grid.
 Several objects that cannot be carried are left to the joined search, unless they are asked for at once.
 """
 
