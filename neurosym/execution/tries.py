@@ -14,6 +14,7 @@ from neurosym.operators import Operator
 from neurosym.planners.registry import plan
 from neurosym.problems import Problem, SceneObject, Trial
 from neurosym.tasks.lying import as_it_shows
+from neurosym.tasks.options import puts_of
 from neurosym.tasks.pasts import GRASPED, as_it_lies, keeps, motion_of, never_seen, past_of, trial_of
 from neurosym.tasks.promises import promised
 from neurosym.tasks.transition import PlanStep
@@ -86,10 +87,10 @@ def _next(
 ) -> Operator | None:
     """Choose what to try with an object that may have a past, as it promises; None if there is nothing.
 
-    That is the first motion of a plan that was not tried; then what carries, and then what probably leads it
-    farthest towards its goal, or the surest if it has none. The same motion mostly does the same again, so
-    that others tell more. Every second try is of what carries other categories, if nothing carries this
-    object surely.
+    That is the first motion of a plan that was not tried; then what carries, first of all by motions that put
+    things on others, too; and then what probably leads it farthest towards its goal, or the surest if it has
+    none. The same motion mostly does the same again, so that others tell more. Every second try is of what
+    carries other categories, if nothing carries this object surely.
     """
     past = past_of(item)
     known = promised(grounding, msgspec.structs.replace(item, past=past)).values()
@@ -98,12 +99,17 @@ def _next(
     untried = {one.name: one for one in promising if motion_of(one) not in tried}
     own = [one.chance for one in promising if one.frame == "place" and one.subject == item.category]
     others = [one for one in untried.values() if one.frame == "place" and one.subject != item.category]
+    puts = {grounding.primitive_of(one.operator).action for one in puts_of(grounding)}
+
+    def rank(one: Operator) -> tuple[bool, bool, float, str]:
+        is_placed = one.frame == "place"
+        return is_placed, grounding.primitive_of(one).action in puts, _worth(one, way), one.name
+
     if others and len(past) % 2 and max(own, default=0.0) < SURELY:
-        return max(others, key=lambda one: (one.chance, one.name))
+        return max(others, key=rank)
     if first := next((untried[name] for name in planned if name in untried), None):
         return first
-    rest = untried.values() or promising
-    return max(rest, key=lambda one: (one.frame == "place", _worth(one, way), one.name), default=None)
+    return max(untried.values() or promising, key=rank, default=None)
 
 
 def _worth(operator: Operator, way: Float[np.ndarray, "2"]) -> float:
