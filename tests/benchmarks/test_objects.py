@@ -11,6 +11,7 @@ from neurosym.problems import Trial
 from neurosym.sim.shapes import UNSEEN
 from neurosym.tasks.options import puts_for
 from neurosym.tasks.pasts import LEAST_CHANCE
+from tools.benchmarks.domains import bench_of
 from tools.benchmarks.objects import evaluate
 from tools.benchmarks.objects.summary import page, summarise
 from tools.benchmarks.objects.tasks import LOOKALIKE, SHAPES, at_an_edge, object_of, to_a_point
@@ -64,16 +65,15 @@ def test_objects_at_an_edge_have_a_size_there():
 
 
 def test_a_task_of_a_look_alike_knows_what_is_hidden_and_goes_far_enough():
-    bench, _, _ = evaluate.bench_for("carry")
-    task = to_a_point(bench, LOOKALIKE, 4)
+    task = to_a_point(bench_of(ROOT / "domains" / "places"), LOOKALIKE, 4)
     (item,) = task.objects
     assert len(item.unseen) == len(UNSEEN)
     assert np.linalg.norm(np.subtract(task.goals[item.name], item.position)) >= 0.15
     assert task.scene().unseen.tolist() == [list(item.unseen)]
 
 
-def test_what_was_carried_as_another_category_is_put_on_others_so():
-    _, task, grounding = evaluate.drawn("stack", "u-block", 905_002)
+def test_what_was_carried_as_another_category_is_put_on_others_so(tmp_path):
+    _, task, grounding = evaluate.drawn(tmp_path, "stack", "u-block", 905_002)
     plain, zeros = task.objects[0], (0.0, 0.0, 0.0)
     tried = Trial("to-001a", "carried", zeros, zeros, plain.orientation, crowded=False)
 

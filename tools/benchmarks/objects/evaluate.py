@@ -1,11 +1,12 @@
 """How are objects handled that nothing was learned of, by their features, and by what they did?
 
-`make evaluate-objects`, into docs/results/objects.*. The shipped domains are tried on shapes never seen and
-on look-alikes with hidden properties, after so many tries of each object. Goes on where it was interrupted.
+`make evaluate-objects`, into docs/results/objects.*. Domains that one command learned with its defaults are
+tried on shapes never seen and on look-alikes with hidden properties, after so many tries of each object: with
+each task the domain of another seed. Goes on where it was interrupted.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
+from neurosym.commands.pipeline import run
 from neurosym.evaluation.comparison import Bench, planner_of
 from neurosym.execution.executor import execute
 from neurosym.execution.tries import alone, try_once
@@ -21,25 +23,31 @@ from neurosym.operators import TOLERANCE, symbols_of
 from neurosym.planners.planner import PlanStatus
 from neurosym.problems import Problem, SceneObject
 from neurosym.stages.folder import DomainFolder
+from neurosym.stages.layout import GROUNDING
+from neurosym.stages.rounds import budget_of
 from neurosym.tasks.pasts import GRASPED, LEAST_CHANCE, keeps, trial_of
 from neurosym.tasks.promises import performed_with, promised
 from neurosym.tasks.transition import primitives
 from neurosym.world import relative_to
 from tools.benchmarks import options
 from tools.benchmarks.domains import bench_of
-from tools.benchmarks.jobs import Evaluation, Jobs
+from tools.benchmarks.jobs import Evaluation, Found, Jobs
 from tools.benchmarks.objects import contact, parts, tasks
-from tools.benchmarks.objects.summary import PARTS, added, page, summarise
+from tools.benchmarks.objects.summary import PARTS, page, summarise
 from tools.benchmarks.planning.trials import PLANNER
 
 TRIES = (0, 1, 3, 5)
 FIRST = 945_000  # seed of the first task, far from those of other evaluations
 TIME_LIMIT = 60.0  # of one plan [s]; far more than any takes
-UNSEEN_TASKS, LOOKALIKES, PUSHED_TASKS, EDGE_OBJECTS, BLOCK = 10, 120, 60, 20, 5
-"""How many there are: of each shape and kind, look-alikes, pushed only, of each edge; tried at once."""
+UNSEEN_TASKS = {"carry": 30, "push": 30, "stack": 10}
+"""How many tasks there are with each shape."""
+LOOKALIKES, PUSHED_TASKS, EDGE_OBJECTS, BLOCK = 120, 120, 20, 5
+"""How many there are: look-alikes, pushed only, of each edge; tried at once."""
 MOTIONS_AT_AN_EDGE = 6  # that are tried with each object
-DOMAINS = {"carry": "places", "push": "places", "stack": "towers", "pushes": "tabletop"}
-"""The shipped domain that each kind of task is tried with; `pushes` are those of one that cannot carry."""
+SEEDS = 5
+"""So many domains are learned; a task is tried with the next one in turn."""
+STACKING = options.ROOT / "domains" / "towers"
+"""The shipped domain that knows pairs: objects are stacked with it."""
 
 
 def main(
@@ -49,72 +57,99 @@ def main(
     results: options.Results = options.RESULTS,
     workers: options.Workers = options.CORES,
 ) -> None:
-    """Try, and write what came of it."""
+    """Learn, try, and write what came of it."""
     evaluation = Evaluation("objects", work, results, workers)
 
     def report() -> None:
         summary = summarise(evaluation.found())
         evaluation.write(summary, page(summary))
 
-    evaluation.perform(jobs(scale, first), "objects", report)
-    evaluation.perform(stopping(), "stopping pushes on their way", report)
-    evaluation.perform(in_part(scale, first, added(evaluation.found())), "pushing in part", report)
+    def learned_and_tried(some: Jobs, label: str) -> None:
+        if some.keys() - evaluation.found().keys():
+            evaluation.perform(learning(evaluation), "learning", report, fresh=True)
+        evaluation.perform(some, label, report)
+
+    learned_and_tried(jobs(work, scale, first), "objects")
+    learned_and_tried(stopping(work), "stopping pushes on their way")
+    learned_and_tried(in_part(work, scale, first, evaluation.found()), "pushing in part")
     evaluation.perform(contact.jobs(), "learning from contact and force", report)
     report()
 
 
-def jobs(scale: float, first: int) -> Jobs:
+def learning(evaluation: Evaluation) -> Jobs:
+    """List the domains to be learned, by name; those whose folders are gone, as on another machine, too."""
+    found = Jobs()
+    for seed in range(1, SEEDS + 1):
+        if not (evaluation.work / f"seed-{seed}" / GROUNDING).exists():
+            evaluation.path(f"learn-{seed}").unlink(missing_ok=True)
+        found[f"learn-{seed}"] = partial(learn, evaluation.work, seed)
+    return found
+
+
+def learn(work: Path, seed: int) -> dict[str, int]:
+    """Learn a domain by one command with its defaults, and say what that took."""
+    draft, folder = work / f"draft-{seed}", work / f"seed-{seed}"
+    run(draft, seed=seed, workers=1, problems=0)
+    draft.rename(folder)
+    return {"interactions": budget_of(DomainFolder(folder)).total}
+
+
+def jobs(work: Path, scale: float, first: int) -> Jobs:
     """List what is tried, by name."""
     found = Jobs()
     for block in _blocks(options.scaled(scale, LOOKALIKES), first):
         for kind in ("carry", "pushes"):
-            found[f"look-{kind}-{block.start}"] = partial(try_lookalikes, kind, block)
+            found[f"look-{kind}-{block.start}"] = partial(try_lookalikes, work, kind, block)
     for block in _blocks(options.scaled(scale, PUSHED_TASKS), first):
-        found[f"pushed-{block.start}"] = partial(try_pushed, block)
+        found[f"pushed-{block.start}"] = partial(try_pushed, work, block)
     for block in _blocks(options.scaled(scale, EDGE_OBJECTS), first):
         for feature in range(3):
             for is_high in (False, True):
                 name = f"edge-{feature}-{'high' if is_high else 'low'}-{block.start}"
-                found[name] = partial(try_edge, feature, is_high, block)
-    for block in _blocks(options.scaled(scale, UNSEEN_TASKS), first):
-        for shape in tasks.SHAPES:
-            for kind in ("carry", "push", "stack"):
-                found[f"{kind}-{shape}-{block.start}"] = partial(try_unseen, kind, shape, block)
+                found[name] = partial(try_edge, work, feature, is_high, block)
+    for kind, count in UNSEEN_TASKS.items():
+        for block in _blocks(options.scaled(scale, count), first):
+            for shape in tasks.SHAPES:
+                found[f"{kind}-{shape}-{block.start}"] = partial(try_unseen, work, kind, shape, block)
     return found
 
 
-def stopping() -> Jobs:
+def stopping(work: Path) -> Jobs:
     """List the choices of pushes that stop on their way, by name."""
-    folder, (_, _, grounding) = _folder("carry"), bench_for("carry")
-    symbols = [one.symbol for one in grounding.objects.categories if one.objects]
-    return {f"{PARTS}{symbol}": partial(parts.find, folder, symbol) for symbol in symbols}
+    return {f"{PARTS}{seed}": partial(parts.find, work / f"seed-{seed}") for seed in range(1, SEEDS + 1)}
 
 
-def in_part(scale: float, first: int, found: Sequence[Any]) -> Jobs:
+def in_part(work: Path, scale: float, first: int, found: Found) -> Jobs:
     """List tries of pushing with pushes that stop on their way, by name."""
+    more = {seed: found.get(f"{PARTS}{seed}", ()) for seed in range(1, SEEDS + 1)}
     blocks = _blocks(options.scaled(scale, PUSHED_TASKS), first)
-    return {f"in-part-{block.start}": partial(try_pushed, block, found) for block in blocks}
-
-
-def _folder(kind: str) -> Path:
-    return options.ROOT / "domains" / DOMAINS[kind]
+    return {f"in-part-{block.start}": partial(try_pushed, work, block, more) for block in blocks}
 
 
 def _blocks(count: int, first: int) -> list[range]:
     return [range(first + at, first + min(at + BLOCK, count)) for at in range(0, count, BLOCK)]
 
 
-def bench_for(kind: str) -> tuple[Bench, DomainFolder, Grounding]:
-    """Return the domain that a kind of task is tried with."""
-    folder = _folder(kind)
+def seed_of(task: int) -> int:
+    """Say with which seed the domain is learned that a task is tried with."""
+    return 1 + task % SEEDS
+
+
+def bench_for(work: Path, kind: str, task: int) -> tuple[Bench, DomainFolder, Grounding]:
+    """Return the domain that a task of some kind is tried with; `pushes` are those of one without places."""
+    folder = STACKING if kind == "stack" else work / f"seed-{seed_of(task)}"
     bench = bench_of(folder)
     learned = bench.setting.grounding
-    return bench, DomainFolder(folder), tasks.pushing(learned) if kind == "push" else learned
+    if kind == "push":
+        learned = tasks.pushing(learned)
+    if kind == "pushes":
+        learned = tasks.without_places(learned)
+    return bench, DomainFolder(folder), learned
 
 
-def drawn(kind: str, of: str, seed: int) -> tuple[Bench, Problem, Grounding]:
+def drawn(work: Path, kind: str, of: str, seed: int) -> tuple[Bench, Problem, Grounding]:
     """Draw a task for an object of some kind."""
-    bench, folder, grounding = bench_for(kind)
+    bench, folder, grounding = bench_for(work, kind, seed)
     if kind == "stack":
         return bench, tasks.to_a_stack(bench, folder, of, seed), grounding
     most = tasks.NEAR if kind == "push" else math.inf
@@ -139,11 +174,14 @@ def _after(item: SceneObject, trials: Sequence[Any]) -> SceneObject:
     return msgspec.structs.replace(item, past=tuple(trials))
 
 
-def try_unseen(kind: str, shape: str, seeds: Sequence[int]) -> list[Any]:
-    """Try tasks with a shape never seen, after each number of tries: whether each was reached, replanned."""
+def try_unseen(work: Path, kind: str, shape: str, seeds: Sequence[int]) -> list[Any]:
+    """Try tasks with a shape never seen, after each number of tries: whether each was reached, replanned.
+
+    Kept is how far it ended from its goal, too, if that is a point [m].
+    """
     found = []
     for seed in seeds:
-        bench, task, grounding = drawn(kind, shape, seed)
+        bench, task, grounding = drawn(work, kind, shape, seed)
         solve = planner_of(bench.setting, PLANNER, time_limit=TIME_LIMIT)
         runs = []
         for problem in met(bench, task, grounding):
@@ -151,20 +189,20 @@ def try_unseen(kind: str, shape: str, seeds: Sequence[int]) -> list[Any]:
             steps = plan.steps if plan.status is PlanStatus.SOLVED else ()
             run = execute(bench.setting.world, problem, grounding, steps, replanner=solve)
             told = {"reached": run.reached, "steps": len(run.steps), "ended": run.ended}
-            first = {"first": run.steps[0].as_promised} if run.steps else {}
-            runs.append(told | first | {"reason": "" if steps else plan.reason})
+            told["away"] = run.distances.get(task.object_names[0])
+            runs.append(told | {"reason": "" if steps else plan.reason})
         found.append(runs)
     return found
 
 
-def try_lookalikes(kind: str, seeds: Sequence[int]) -> list[Any]:
+def try_lookalikes(work: Path, kind: str, seeds: Sequence[int]) -> list[Any]:
     """Plan for look-alikes after each number of tries, and perform the first motion.
 
     Kept is how far it ended from its promise [m], if it ended in that way, else None.
     """
     found = []
     for seed in seeds:
-        bench, task, grounding = drawn(kind, tasks.LOOKALIKE, seed)
+        bench, task, grounding = drawn(work, kind, tasks.LOOKALIKE, seed)
         solve = planner_of(bench.setting, PLANNER, time_limit=TIME_LIMIT)
         firsts: list[float | None] = []
         for problem in met(bench, task, grounding):
@@ -178,15 +216,18 @@ def try_lookalikes(kind: str, seeds: Sequence[int]) -> list[Any]:
     return found
 
 
-def try_pushed(seeds: Sequence[int], added: Sequence[Any] = ()) -> list[Any]:
+def try_pushed(
+    work: Path, seeds: Sequence[int], more: Mapping[int, Sequence[Any]] | None = None
+) -> list[Any]:
     """Try to bring objects that can be pushed only to points within 20 mm: whether, in how many motions.
 
-    Pushes that stop on their way are added, as `parts.find` tells of them.
+    Pushes that stop on their way are added to the domain of each seed, as `parts.find` tells of them.
     """
-    bench, _, learned = bench_for("carry")
-    grounding = parts.with_parts(learned, added)
-    solve, found = planner_of(bench.setting, PLANNER, time_limit=TIME_LIMIT), list[Any]()
+    found = list[Any]()
     for seed in seeds:
+        bench, _, learned = bench_for(work, "carry", seed)
+        grounding = parts.with_parts(learned, (more or {}).get(seed_of(seed), ()))
+        solve = planner_of(bench.setting, PLANNER, time_limit=TIME_LIMIT)
         problem = tasks.pushed_only(bench, seed)
         plan = solve(problem, grounding)
         steps = plan.steps if plan.status is PlanStatus.SOLVED else ()
@@ -196,11 +237,11 @@ def try_pushed(seeds: Sequence[int], added: Sequence[Any] = ()) -> list[Any]:
     return found
 
 
-def try_edge(feature: int, is_high: bool, seeds: Sequence[int]) -> list[Any]:
+def try_edge(work: Path, feature: int, is_high: bool, seeds: Sequence[int]) -> list[Any]:
     """Perform what plans may use, with objects at an edge: the chance that is said, and whether it came."""
-    bench, _, grounding = bench_for("carry")
-    world, found = bench.setting.world, list[Any]()
+    found = list[Any]()
     for seed in seeds:
+        bench, _, grounding = bench_for(work, "carry", seed)
         scene, rng = tasks.at_an_edge(feature, is_high, seed), np.random.default_rng(seed)
         features = tuple(scene.features[0].tolist())
         category = symbols_of(bench.categorise, scene.features)[0]
@@ -215,7 +256,7 @@ def try_edge(feature: int, is_high: bool, seeds: Sequence[int]) -> list[Any]:
                 spot = rng.uniform(*np.array([grounding.table.x, grounding.table.y]).T)
                 aim = grounding.table.nearest(*(spot - promise.resting_effect[:2]))
             action = performed_with(grounding, operator, item)
-            outcome = world.interact(scene, action, 0, **relative_to(world, aim))
+            outcome = bench.setting.world.interact(scene, action, 0, **relative_to(bench.setting.world, aim))
             trial = trial_of(outcome, operator, grounding.turned)
             grasps = promise.kind in GRASPED
             found.append([round(operator.chance, 4), keeps(promise, trial, TOLERANCE), grasps])

@@ -48,17 +48,17 @@ class _Part(NamedTuple):
     move: Move
 
 
-def find(domain: Path, symbol: str) -> list[dict[str, Any]]:
-    """Choose pushes that stop on their way, for one category: of what push, where, and what they did."""
+def find(domain: Path) -> list[dict[str, Any]]:
+    """Choose pushes that stop on their way, for each category: of what push, where, and what they did."""
     bench = bench_of(domain)
     grounding, found = bench.setting.grounding, list[dict[str, Any]]()
-    category = grounding.category(symbol)
-    own = [one for one in grounding.operators_on(symbol) if one.frame == "object" and one.promise]
-    moves = [move for one in own if grounding.why_left_out(one) is None and (move := _move(one, category))]
-    parts = [*_parts(bench.setting.world, grounding, own, category)]
-    for part in _cheapest(moves, parts):
-        told = {"subject": symbol, "whole": part.whole, "stop": part.stop}
-        found.append(told | {"rehearsals": msgspec.to_builtins(part.operator.rehearsals)})
+    for category in (one for one in grounding.objects.categories if one.objects):
+        own = [one for one in grounding.operators_on(category.symbol) if one.frame == "object"]
+        whole = [one for one in own if one.promise and grounding.why_left_out(one) is None]
+        moves = [move for one in whole if (move := _move(one, category))]
+        for part in _cheapest(moves, [*_parts(bench.setting.world, grounding, whole, category)]):
+            told = {"subject": category.symbol, "whole": part.whole, "stop": part.stop}
+            found.append(told | {"rehearsals": msgspec.to_builtins(part.operator.rehearsals)})
     return found
 
 
@@ -114,7 +114,7 @@ def _parts(
 ) -> Iterator[_Part]:
     """Rehearse pushes of a category that stop on their way; those that push surely are given."""
     for whole in own:
-        if whole.promise is None or whole.promise.kind != "resting" or grounding.why_left_out(whole):
+        if whole.promise is None or whole.promise.kind != "resting":
             continue
         primitive = grounding.primitive_of(whole)
         for stop in STOPS:

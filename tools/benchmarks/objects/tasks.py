@@ -54,13 +54,13 @@ def pushing(grounding: Grounding) -> Grounding:
     """Return a domain without all that grasps."""
     objects = grounding.objects
     pushes = (one for one in objects.operators if not (one.promise and one.promise.kind in GRASPED))
-    return msgspec.structs.replace(
-        grounding,
-        objects=msgspec.structs.replace(objects, operators=tuple(pushes)),
-        places=None,
-        relations=None,
-        upright=None,
-    )
+    table = msgspec.structs.replace(objects, operators=tuple(pushes))
+    return msgspec.structs.replace(without_places(grounding), objects=table)
+
+
+def without_places(grounding: Grounding) -> Grounding:
+    """Return a domain without all that is aimed at more than an object."""
+    return msgspec.structs.replace(grounding, places=None, relations=None, upright=None)
 
 
 def to_a_point(bench: Bench, kind: str, seed: int, *, most: float = 1.0, tolerance: float = 0.05) -> Problem:
