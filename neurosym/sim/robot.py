@@ -181,7 +181,7 @@ class Robot:
         if not self._simulation.is_quiet():
             return 0
         boxes = self._simulation.boxes()  # (B, 2, 3)
-        soon = _RUN_UP + 2
+        soon = _RUN_UP + 2  # what comes near in these ticks leaves none free
         if self._comes_near(boxes, points[:soon], half_openings[:soon]).any():
             return 0
         is_near = self._comes_near(boxes, points, half_openings)

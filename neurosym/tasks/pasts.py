@@ -234,7 +234,7 @@ def _borrowed(known: Iterable[Operator], own: Iterable[Operator]) -> dict[str, O
     motions, found = {motion_of(one) for one in own}, dict[str, Operator]()
     for operator in known:
         motion, promise = motion_of(operator), operator.promise
-        if operator.frame != "pair" and promise and motion not in motions:
+        if operator.frame in ("object", "place") and promise and motion not in motions:
             plain = msgspec.structs.replace(operator, rehearsals=(), objects=(), company=())
             one = _promising(plain, promise, BORROWED * _share(operator))
             if motion not in found or one.successes > found[motion].successes:
