@@ -258,13 +258,16 @@ def _in_order(choices: Choices, length: int, row: int, lift: int) -> Candidate |
     return None if order is None else Candidate((*order, *[lift][: int(is_held)]), is_held, cost, (x, y, z))
 
 
-def _order(choices: Choices, counts: tuple[int, ...]) -> tuple[int, ...] | None:
+def _order(choices: Choices, counts: tuple[int, ...], effort: Effort | None = None) -> tuple[int, ...] | None:
     """Search backwards, depth first; the counts say where the object is, so nothing is looked at twice."""
+    effort = effort or Effort()
     seen, waiting = set[tuple[int, ...]](), [(counts, tuple[int, ...]())]
     while waiting:
         done, then = waiting.pop()
         if not any(done):
             return then
+        if not effort.spend():
+            return None
         if done in seen or done in choices.dead:
             continue
         seen.add(done)
@@ -377,6 +380,8 @@ EXCHANGED = 2
 """So many moves of an object are exchanged for others at most, where cells round a plan beside its goal."""
 MOST_EXCHANGES = 100
 """How many of the cheapest such ways are judged."""
+MOST_LOOKED_AT = 100_000
+"""How many states are looked at for the orders of all such ways of an object."""
 
 
 def ends_held(steps: Sequence[PlanStep], grounding: Grounding) -> bool:
@@ -499,6 +504,7 @@ def _variations(
     costs = (left @ choices.costs)[:, None] + changes @ choices.costs
     rows = np.argwhere(np.linalg.norm(ends - np.array(goal), axis=-1) <= tolerance)
     ranked = rows[np.argsort(costs[*rows.T], kind="stable")].tolist()
+    effort = Effort(MOST_LOOKED_AT)
     for varied in dict.fromkeys(tuple((left[out] + changes[new]).tolist()) for out, new in ranked):
-        if (order := _order(choices, varied)) is not None:
+        if (order := _order(choices, varied, effort)) is not None:
             yield order

@@ -16,7 +16,8 @@ from tools.benchmarks.objects import evaluate
 from tools.benchmarks.objects.summary import page, summarise
 from tools.benchmarks.objects.tasks import LOOKALIKE, SHAPES, at_an_edge, object_of, to_a_point
 
-GOAL, LOST = {"reached": True, "steps": 1, "ended": "goal"}, {"reached": False, "steps": 3, "ended": "lost"}
+GOAL = {"reached": True, "steps": 1, "ended": "goal", "away": 0.004}
+LOST = {"reached": False, "steps": 3, "ended": "lost", "away": 0.12}
 FOUND = {
     "carry-ball-0": [[LOST, GOAL, GOAL, GOAL], [LOST, LOST, GOAL, GOAL]],
     "stack-wedge-0": [[GOAL] * 4],
@@ -32,12 +33,14 @@ def test_found_is_summed_up_and_told():
     assert told["unseen"]["0"] == {"carry": 0.0, "push": None, "stack": 1.0}
     assert told["unseen"]["1"]["carry"] == 0.5
     assert (told["pushed_20mm"], told["pushed"]["motions"], told["pushed"]["of_reached"]) == (0.5, 2.0, 1.0)
+    assert told["away_mm"] == {"carry": [120, 62, 4, 4], "push": [None] * 4}
     assert told["edge_brier"] == pytest.approx((0.01 + 0.36) / 2)
     assert told["edge_base"] == 0.25
     said = page(told)
     assert "| ball | 0, 50, 100, 100 % | -, -, -, - % | -, -, -, - % |" in said
     assert "| d low | 2 | 0.75 | 0.5 | 0.185 | 0.25 |" in said
     assert "50% (9 to 91) of 2; 2.0 motions a task, 1.0 where it was reached." in said
+    assert "| 1 | 62 mm | - |" in said
     assert "With 0 more pushes that stop on their way" in said
 
 

@@ -119,7 +119,7 @@ def test_plan_whose_replay_is_wrong_is_planned_again_and_given_up_in_the_end():
     assert cells[2] == cells[3] > 2.9 * cells[1]  # the later half is solved on a finer grid
 
 
-def test_few_steps_of_a_plan_that_cells_round_are_exchanged_and_no_more_are():
+def test_few_steps_of_a_plan_that_cells_round_are_exchanged_and_no_more_are(monkeypatch: pytest.MonkeyPatch):
     learned = with_modes("push-left-000-block", mode((0.0, 0.05, 0.0)), learned=grounding(0.02))
     learned = with_modes("push-away-001-block", mode((0.03, 0.03, 0.0)), learned=learned)
     asked = list[str]()
@@ -136,6 +136,8 @@ def test_few_steps_of_a_plan_that_cells_round_are_exchanged_and_no_more_are():
     assert validate(found.steps, task, learned).valid
     finer = plan(task, replace(learned, cell=0.005), planner)  # so far cells would not round
     assert finer.status is PlanStatus.FAILED
+    monkeypatch.setattr("neurosym.planners.action_counts.MOST_LOOKED_AT", 1)
+    assert plan(task, learned, planner).status is PlanStatus.FAILED
 
 
 def test_objects_in_each_others_way_are_planned_for_without_costs_in_the_end(monkeypatch: pytest.MonkeyPatch):

@@ -13,6 +13,7 @@ from neurosym.planners import PlanStatus, plan
 from neurosym.problems import Problem, SceneObject, Trial
 from neurosym.sim.config import TabletopConfig
 from neurosym.sim.tabletop import Tabletop
+from neurosym.tasks.options import puts_of
 from neurosym.tasks.pasts import LEAST_CHANCE, as_it_lies, with_pasts
 from neurosym.tasks.promises import promised, usable
 from neurosym.tasks.transition import validate
@@ -140,3 +141,15 @@ def test_where_no_plan_is_known_what_probably_leads_farthest_towards_the_goal_is
         promise = learned.operator_named(tried.operator).promise
         assert promise is not None
         assert promise.resting_effect[1] / way > 0.2
+
+
+def test_what_carries_and_puts_on_others_is_tried_first():
+    learned = Grounding.load(ROOT / "domains" / "towers" / "grounding.json")
+    item = SceneObject("item-01", "10", (0.15, 0.16, 0.05, 0.0), (0.6, 0.0, 0.025))
+    tried = try_once(Tabletop(TabletopConfig()), Problem("p", (item,), {}), learned)
+    assert tried is not None
+    own = [one for one in learned.live_on("place") if one.subject == "10"]
+    labels = {one.operator.label for one in puts_of(learned)}
+    actions = {one.action for one in learned.relations.primitives if one.label in labels}
+    puts = {one.name for one in own if learned.primitive_of(one).action in actions}
+    assert tried.operator in puts < {one.name for one in own}
