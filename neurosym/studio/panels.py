@@ -243,7 +243,7 @@ class PlanPanel(Panel):
     def refresh(self, topics: set[Topic]) -> None:
         """Show the plans."""
         session, chosen = self.session, self.session.plan_shown
-        if topics & {"status", "plan"}:
+        if topics & {"status", "plan", "run"}:
             self._go.disabled = bool(session.planning) or session.is_running
             self._stop.disabled = not session.planning
         if not topics & {"plan", "scene", "step", "run"}:

@@ -177,13 +177,13 @@ class Session(Desk):
 
         def hear(said: Any) -> None:
             with self._lock:
-                self.planning = None
                 word = Word("the table was changed meanwhile; do it again", is_bad=True)
                 if isinstance(said, Word):
                     word = said
                 elif self.problem == before:
                     word = take(said)
-            self.say(*word)
+                self.say(*word)  # first, so that whoever sees that it is over reads what came of it
+                self.planning = None
             self.tell("plan")
 
         with self._lock:  # so that the answer is not heard before it is known that it is waited for
@@ -388,8 +388,8 @@ class Running:
             self.clear()
             self.problem, self.promise, self._left = problem, promise, left
             self.controls = msgspec.structs.replace(self.controls, is_stopped=False)
+            self._session.say(what)  # first, since an answer may come at once
             self.ticket = self._workers.submit(self._hear, do, self._session.room, *given, self.controls)
-        self._session.say(what)
         self._session.tell("run")
 
     def _hear(self, said: Any) -> None:
@@ -416,7 +416,7 @@ class Running:
             self._end(said)
 
     def _end(self, said: Ran | Word) -> None:
-        """Keep what came of it, and only then let something else begin."""
+        """Keep and say what came of it, and only then let something else begin."""
         with self._lock:
             self.controls = msgspec.structs.replace(self.controls, is_stopped=False, is_paused=False)
             if isinstance(said, Ran):
@@ -425,9 +425,9 @@ class Running:
                     before, ends = self.moment.scene, np.array([*self.records[-1].positions.values()])
                     scene = replace(before, positions=ends)
                     self.moment = replace(self.moment, scene=scene)
+            word = _ran(said) if isinstance(said, Ran) else said if said.text else Word(self.tally())
+            self._session.say(*word)
             self.ticket = None
-        word = _ran(said) if isinstance(said, Ran) else said if said.text else Word(self.tally())
-        self._session.say(*word)
         self._session.tell("run")
 
 

@@ -2,6 +2,7 @@
 
 import asyncio
 import shutil
+import time
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -230,10 +231,28 @@ def test_tasks_are_drawn_as_the_command_line_draws_them(both, tmp_path, monkeypa
     assert neurosym("new-problem", "towers", *asked) == 0
     with session_on(shipped_library(ROOT / "domains" / "towers"), both) as session:
         session.draw(3, 4, "tower")
-        wait_for(lambda: session.problem.name == name)
+        wait_for(lambda: not session.planning)
         assert session.problem == Problem.load(tmp_path / "towers" / "problems" / f"{name}.scene.json")
         session.draw(9, 4, "tower")
         assert "valid: 1 to 8" in session.word.text
+
+
+def test_whoever_sees_that_something_is_over_reads_what_came_of_it(tabletop, monkeypatch):
+    say = tabletop.say
+
+    def say_late(*word: object) -> None:
+        time.sleep(0.2)
+        say(*word)
+
+    monkeypatch.setattr(tabletop, "say", say_late)
+    tabletop.running.steer(speed=0.0)
+    tabletop.draw(1, 4, None)
+    wait_for(lambda: not tabletop.planning)
+    assert tabletop.word.text == "a task with 1 object is on the table"
+    (name,) = tabletop.problem.object_names
+    tabletop.running.try_ten(name, tabletop.unsure(name).operator.name)
+    wait_for(lambda: not tabletop.running.is_active)
+    assert " of 10 as promised; promised " in tabletop.word.text
 
 
 def test_run_is_replayed_on_the_page(tabletop):
