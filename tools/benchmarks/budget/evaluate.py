@@ -59,17 +59,16 @@ _LITTLE = 2000  # with a smaller budget a run is one of its own, and does not go
 _CURVE = ("one-budget", STAGES, "random", "entropy")
 _PARTS = ("no-teaching", "no-prior", "evenly", "no-stopping")
 _TURNS = (
-    (2000, _CURVE, 0),
-    (6000, ("one-budget",), 0),
-    (10_000, ("with-places",), 0),
-    (8000, ("with-relations",), 0),
-    (8000, _CURVE, 0),
-    (2000, _PARTS, 0),
-    (16_000, ("one-budget", "random", "entropy"), 0),
-    (6000, _PARTS, 0),
-    (8000, _CURVE, 2),
+    ((1000, 2000), _CURVE, 0),
+    ((4000, 6000), ("one-budget",), 0),
+    ((5000, 10_000), ("with-places",), 0),
+    ((8000,), ("with-relations",), 0),
+    ((4000, 8000), _CURVE, 0),
+    ((2000, 6000), _PARTS, 0),
+    ((2000, 8000), _CURVE, 2),
+    ((16_000,), ("one-budget", "random", "entropy"), 0),
 )
-"""How far each way goes, which ways, and with how many seeds more than usual, in turn."""
+"""After how many interactions what was learned is tried, which ways, and with how many seeds more than usual."""
 _HEIGHTS_AFTER = 5  # turns, it is asked when curiosity pays
 _TIMED = {"default": (), "without_places": ("--places", "0")}
 
@@ -93,11 +92,11 @@ def main(
 
     evaluation.perform({"random-actions": partial(codes.test, work)}, "random actions")
     drawing, widening = heights.jobs(work, seeds)
-    for number, (most, ways, more) in enumerate(_TURNS[:turns]):
+    for number, (points, ways, more) in enumerate(_TURNS[:turns]):
         if number == _HEIGHTS_AFTER:
             evaluation.perform(drawing, "higher action boxes")
             evaluation.perform(widening, "exploring in these", report)
-        _take(evaluation, most, ways, range(1, seeds + more + 1), scale)
+        _take(evaluation, points, ways, range(1, seeds + more + 1), scale)
         report()
     alone = Evaluation("budget", work, results)
     alone.perform(
@@ -107,9 +106,11 @@ def main(
     report()
 
 
-def _take(evaluation: Evaluation, most: int, ways: Sequence[str], seeds: Sequence[int], scale: float) -> None:
-    """Learn in some ways from so many interactions at most, and try what was learned on the way."""
-    for total in sorted({point for way in ways for point in WAYS[way].points if point <= most}):
+def _take(
+    evaluation: Evaluation, points: Sequence[int], ways: Sequence[str], seeds: Sequence[int], scale: float
+) -> None:
+    """Learn in some ways from so many interactions, and try what was learned."""
+    for total in points:
         some = [(way, seed) for seed in seeds for way in ways if total in WAYS[way].points]
         learning = {
             f"learn-{domain_name(way, seed, total)}": partial(learn, evaluation.work, way, seed, total)
