@@ -63,12 +63,12 @@ _TURNS = (
     ((4000, 6000), ("one-budget",), 0),
     ((5000, 10_000), ("with-places",), 0),
     ((8000,), ("with-relations",), 0),
-    ((4000, 8000), _CURVE, 0),
     ((2000, 6000), _PARTS, 0),
+    ((4000, 8000), _CURVE, 0),
     ((2000, 8000), _CURVE, 2),
     ((16_000,), ("one-budget", "random", "entropy"), 0),
 )
-"""After how many interactions what was learned is tried, which ways, and with how many seeds more than usual."""
+"""After how many interactions what was learned is tried, which ways, with how many seeds more than usual."""
 _HEIGHTS_AFTER = 5  # turns, it is asked when curiosity pays
 _TIMED = {"default": (), "without_places": ("--places", "0")}
 
