@@ -51,6 +51,7 @@ from neurosym.primitives.sampling import Repertoire
 from neurosym.primitives.search import Search
 from neurosym.world import ActionBox, OutcomeKind, WorldFactory
 from neurosym.worlds.aims import AimedFactory, CrowdedFactory, RelatedFactory
+from neurosym.worlds.workers import kept_workers
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,6 +69,7 @@ class NothingDistilled(InvalidValue):
     """A model whose symbols no action encodes to."""
 
 
+@kept_workers()
 def find_operators(
     model: EffectModel,
     predict: PredictOutcomes,

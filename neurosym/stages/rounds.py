@@ -37,6 +37,7 @@ from neurosym.stages.learning import (
     train_stage,
 )
 from neurosym.stages.verdicts import judge_domain
+from neurosym.worlds.workers import kept_workers
 
 _TIMES = 5
 """So often an operator is to be seen at least, on average."""
@@ -239,6 +240,7 @@ class Recipe:
         return Spent(share.explored, len(ledger_of(folder, aim)), share.budget, symbols)
 
 
+@kept_workers()
 def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open: bool) -> None:
     """Go on with the rounds that are not done yet, as long as they find what is worth performing.
 

@@ -8,7 +8,7 @@ import pickle
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from functools import cache, lru_cache, partial
 from multiprocessing.spawn import get_preparation_data, prepare
@@ -40,14 +40,43 @@ class WorkerDied(NeurosymError):
         )
 
 
+Submit = Callable[..., "Future[Any]"]
+_kept: Callable[[int], Submit] | None = None
+"""Starts so many workers, or gives those that were started; None if workers end with what they are for."""
+
+
 @contextmanager
-def worker_pool(workers: int) -> Iterator[Callable[..., Future[Any]]]:
+def kept_workers() -> Iterator[None]:
+    """Keep workers that are started until this ends, since to start others takes a second."""
+    global _kept
+    if _kept is not None:
+        yield
+        return
+    with ExitStack() as stack:
+        _kept = cache(lambda workers: stack.enter_context(_started(workers)))
+        try:
+            yield
+        finally:
+            _kept = None
+
+
+@contextmanager
+def worker_pool(workers: int) -> Iterator[Submit]:
     """Start processes, and yield what has one call a function with arguments; all must survive pickling.
 
     Raises:
         CannotStart: If the system does not let them be started.
         InvalidValue: If this process is a worker that imports the main program.
     """
+    if _kept is not None:
+        yield _kept(workers)
+        return
+    with _started(workers) as submit:
+        yield submit
+
+
+@contextmanager
+def _started(workers: int) -> Iterator[Submit]:
     if _imports_main:
         raise InvalidValue(
             'Workers import the main program; call this under `if __name__ == "__main__":`, or with 1 worker.'

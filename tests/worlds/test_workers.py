@@ -15,7 +15,7 @@ from worker_tasks import Deadly, is_up, refused, some_tasks, unreadable
 from neurosym.errors import CannotStart, InvalidFile, InvalidValue
 from neurosym.worlds.processes import Child
 from neurosym.worlds.toy import make_world
-from neurosym.worlds.workers import Task, WorkerDied, perform_all, worker_pool
+from neurosym.worlds.workers import Task, WorkerDied, kept_workers, perform_all, worker_pool
 
 
 def test_two_workers_give_the_outcomes_of_one_in_order():
@@ -24,6 +24,20 @@ def test_two_workers_give_the_outcomes_of_one_in_order():
     )
     np.testing.assert_array_equal(one, two)
     assert np.any(np.array(one) != 0)
+
+
+def test_workers_are_kept_for_later_work_and_then_end():
+    def worker() -> int:
+        with worker_pool(1) as submit:
+            return submit(is_up).result()
+
+    with kept_workers():
+        kept = worker()
+        with kept_workers():
+            assert worker() == kept
+        assert worker() == kept
+    assert not is_there(kept)
+    assert worker() != kept
 
 
 def test_a_worker_that_dies_ends_the_run_with_a_sentence_and_an_error_reaches_the_caller():
