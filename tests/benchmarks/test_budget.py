@@ -86,7 +86,7 @@ def test_ways_to_explore_are_told_apart_whose_names_begin_alike():
         for seed in (1, 2)
     }
     told = heights.summarise(jobs)
-    assert {way: told["8"][way]["r2"] for way in heights.WAYS if way in told["8"]} == {
+    assert {way: told["8"][way]["r2"] for way in heights.STRATEGIES if way in told["8"]} == {
         "random": [pytest.approx(0.2), pytest.approx(0.3)],
         "long-random": [pytest.approx(0.6), pytest.approx(0.7)],
     }

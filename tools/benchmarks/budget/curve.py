@@ -49,7 +49,7 @@ def draw(summary: Mapping[str, Any], path: Path) -> None:
 def draw_curiosity(found: Mapping[str, Any], path: Path) -> None:
     """Draw what is explained of actions that move something, by how many do; see `heights.summarise`."""
     figure, axis = plt.subplots(figsize=(9, 3.2), layout="constrained")
-    for name, way in heights.WAYS.items():
+    for name, way in heights.STRATEGIES.items():
         known = [told for told in found.values() if name in told]
         shares = [100 * told["moved"] for told in known]
         explained = [np.array(told[name]["r2"]) for told in known]

@@ -51,7 +51,7 @@ class Exploring:
 
 
 _LONG: Mapping[str, Any] = {"steps": 4096, "heights": (1, 8)}
-WAYS: Mapping[str, Exploring] = {
+STRATEGIES: Mapping[str, Exploring] = {
     "random": Exploring("random", "random"),
     "entropy": Exploring("entropy", "entropy"),
     "disagreement": Exploring("disagreement", "disagreement"),
@@ -60,11 +60,8 @@ WAYS: Mapping[str, Exploring] = {
     "long-disagreement": Exploring("disagreement", "disagreement", **_LONG),
 }
 MOVED = 0.01  # what moves an object less far does nothing to it [m]
-_TESTED, _DRAWN, _TEST_SEED = (
-    300,
-    6000,
-    791_000,
-)  # random actions that move something, of so many drawn at most
+_TESTED, _DRAWN = 300, 6000  # random actions that move something, of so many drawn at most
+_TEST_SEED = 791_000
 
 
 class High(Tabletop):
@@ -82,7 +79,7 @@ def jobs(work: Path, seeds: int) -> tuple[Jobs, Jobs]:
     return {f"high-test-{height}": partial(_test, work, height) for height in HEIGHTS}, {
         f"high-{height}-{name}-{seed}": partial(_learn, work, height, way, seed)
         for seed in range(1, seeds + 1)
-        for name, way in WAYS.items()
+        for name, way in STRATEGIES.items()
         for height in way.heights
     }
 
@@ -147,7 +144,7 @@ def summarise(found: Found) -> dict[str, Any]:
     for height in HEIGHTS:
         if drawn := found.get(f"high-test-{height}"):
             summary[str(height)] = {"moved": drawn["moved"]}
-            for name in WAYS:
+            for name in STRATEGIES:
                 cells = [found[job] for job in found if job.startswith(f"high-{height}-{name}-")]
                 if cells:
                     told = {key: [one[key] for one in cells] for key in ("moved", "moved_last", "r2")}
@@ -168,7 +165,7 @@ def tables(summary: Mapping[str, Any]) -> str:
             over_seeds(told[name]["r2"], "{:.2f}", 2),
         ]
         for height, told in summary.items()
-        for name, way in WAYS.items()
+        for name, way in STRATEGIES.items()
         if name in told
     ]
     heads = "height | random actions that move | explored | by | of these move | of the last quarter"
