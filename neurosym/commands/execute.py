@@ -198,10 +198,12 @@ def meet(
             show_table("tries", ["object", "motion", "what came", "as promised"], rows)
         for line in met_in_words(domain, grounding, names):
             say(line)
+    found = [past for one in names if (past := load_past(domain, problem.object_named(one)))]
+    if not found:
+        say("nothing is known of what they did")
     if tries:
         say(f"wrote {folder / PASTS}")
         say_next(f"neurosym plan {quoted(folder)} {name}")
-    found = [past for one in names if (past := load_past(domain, problem.object_named(one)))]
     answer({"pasts": list[Past](found)})
     return 0
 

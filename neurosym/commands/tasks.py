@@ -292,6 +292,7 @@ def _saved_plan(folder: DomainFolder, name: str, must_fit: bool) -> Path:
     return file
 
 
+_USUAL = "fast-downward"  # the planner that is asked if none is named
 _UNLIKELY = 0.1
 """Below this chance it is said that a plan seldom goes through."""
 
@@ -301,7 +302,7 @@ def plan(
     problem: ProblemName,
     planner: Annotated[
         str, arg(help="One that `neurosym planners` lists, or your own as module:factory.")
-    ] = "fast-downward",
+    ] = _USUAL,
     time_limit: TimeLimit = None,
     encoding: Annotated[
         Optional[Literal["strips", "numeric", "sas"]],
@@ -367,9 +368,11 @@ def plan(
         say_next(f"neurosym {verb} {quoted(folder)} {name} {quoted(folder / written)}{within}")
     elif of_values:
         say("note: steps go by whole cells; a wider goal, or a smaller cell in world.toml, may help")
+    elif nearest:
+        say_next(f"neurosym show {quoted(folder)} --problem {name}")
     else:
-        seen = f"show {quoted(folder)} --problem {name}"
-        say_next(f"neurosym {seen if nearest else f'plan {quoted(folder)} {name} --nearest'}")
+        by = "" if planner == _USUAL else f" --planner {quoted(planner)}"
+        say_next(f"neurosym plan {quoted(folder)} {name}{by} --nearest")
     if written and output == _STANDARD:
         be_quiet(False)
         print_raw(read_text(domain / written))

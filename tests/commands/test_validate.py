@@ -208,7 +208,9 @@ def test_bfs_speaks_of_what_the_network_predicts_and_says_what_the_rehearsals_kn
     assert "): by what the network predicts, item-01 cannot reach its goal" in said
     assert "by the rehearsed effects there is a plan of 2 primitives: try another planner" in said
     assert neurosym("plan", four, "far", "--planner", "bfs") == 3
-    assert "by the rehearsed effects" not in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "by the rehearsed effects" not in said
+    assert "far --planner bfs --nearest\n" in said
     assert neurosym("plan", four, "air", "--planner", "bfs", "--nearest") == 3
     said = capsys.readouterr().out
     assert "item-01 200 mm from its goal; up to 8 primitives with each were looked at; by what the" in said

@@ -45,10 +45,12 @@ def test_tries_go_on_where_they_ended_and_are_forgotten_on_demand(folder, tmp_pa
     said = capsys.readouterr().out
     assert "item-01 looks like solid-low-10, and did as such objects do 2 of 2 times; it is best" in said
     assert "(2 motions with it so far)" in said
+    assert "nothing is known" not in said
     assert contents(folder / "pasts") == contents(other / "pasts")
     assert neurosym("explain", folder) == 0
     assert "item-01 looks like" in capsys.readouterr().out
     assert neurosym("meet", folder, TASK, "--forget", "--tries", 0) == 0
+    assert "nothing is known of what they did\n" in capsys.readouterr().out
     assert not (folder / "pasts" / "item-01.json").exists()
 
 
