@@ -30,6 +30,7 @@ CELL = 0.005  # edge of a grid cell unless the user says otherwise [m]
 StrategyName = Literal["disagreement", "entropy", "curiosity", "random", "active"]
 """A way to explore; see `strategies`."""
 DEFAULT_STRATEGY: StrategyName = "disagreement"
+DEFAULT_PLANNER = "fast-downward"
 TaskKind = Literal["anywhere", "swap", "row", "crowded"]  # what a task asks for; see `draw_task`
 RelationTask = Literal["tower", "boxes", "unstack", "exchange"]
 """What a task of relations asks for; see `draw_relation_task`."""

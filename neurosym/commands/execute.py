@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Optional
 
 from tyro.conf import Positional, arg
 
-from neurosym.choices import copy_shipped
+from neurosym.choices import DEFAULT_PLANNER, copy_shipped
 from neurosym.commands.arguments import (
     Folder,
     Json,
@@ -58,7 +58,7 @@ def execute(
     ],
     replanner: Annotated[
         str, arg(help="Whom to ask for a new plan: see `neurosym planners`, or module:factory.")
-    ] = "fast-downward",
+    ] = DEFAULT_PLANNER,
     replans: Annotated[
         Optional[int],
         arg(
@@ -351,7 +351,7 @@ def demo(
     make_folder(output)
     if not folder.exists() and not copy_shipped(_SHIPPED, folder):
         raise InvalidValue("No domain came with this installation; install neurosym-pddl again.")
-    plan_file = folder / plan_files(_TASK, "fast-downward")[0]
+    plan_file = folder / plan_files(_TASK, DEFAULT_PLANNER)[0]
     gif, strip = (output / f"{_TASK}{ending}" for ending in (".gif", ".png"))
     say_command("compile-domain", folder)
     compile_domain(folder)

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Optional
 
 from tyro.conf import arg
 
-from neurosym.choices import ACTED, BUDGET, DEFAULT_STRATEGY, is_factory
+from neurosym.choices import ACTED, BUDGET, DEFAULT_PLANNER, DEFAULT_STRATEGY, is_factory
 from neurosym.commands.arguments import CPUS, Folder, Seed, Workers, opened
 from neurosym.commands.learn import (
     ActionBits,
@@ -51,7 +51,6 @@ from neurosym.stages.verdicts import Tries, judge_domain, judge_tries, worst
 from neurosym.world import World, references_of
 from neurosym.worlds.world_file import SEEING, asked_of, read_world, sees
 
-_PLANNER = "fast-downward"
 _MOST_PROBLEMS = 30
 """How many problems are drawn at most, if none of those asked for has a plan."""
 
@@ -186,10 +185,10 @@ def _try_problem(folder: DomainFolder, number: int, seed: int) -> tuple[list[str
     """Draw a problem, plan it, and execute the plan if there is one; return a row for it, and the run."""
     name, objects = f"task-{number:02d}", 2 - number % 2
     perform(folder, problem_stage(folder, name, Asked(objects, seed=seed + number)))
-    perform(folder, plan_stage(folder, name, planner=_PLANNER))
-    record = read_json(folder / layout.plan_files(name, _PLANNER)[1], PlanRecord)
+    perform(folder, plan_stage(folder, name, planner=DEFAULT_PLANNER))
+    record = read_json(folder / layout.plan_files(name, DEFAULT_PLANNER)[1], PlanRecord)
     cells = [name, str(objects), record.status.value, str(record.primitives), f"{record.seconds:.2f}"]
-    plan_file = written_steps(folder, name, _PLANNER)
+    plan_file = written_steps(folder, name, DEFAULT_PLANNER)
     if not (record.solved and plan_file):
         return [*cells, "-", record.reason], None
     perform(folder, execute_stage(folder, name, folder / plan_file))
@@ -216,5 +215,5 @@ def _conclude(folder: DomainFolder, tried: list[tuple[list[str], Run | None]]) -
     runs = [run for _, run in tried if run]
     tries = Tries(sum(run.reached for run in runs), len(runs), len(tried))
     compiled = judge_domain(Grounding.load(folder / layout.GROUNDING))
-    for line in worst((compiled, judge_tries({_PLANNER: tries}))).lines:
+    for line in worst((compiled, judge_tries({DEFAULT_PLANNER: tries}))).lines:
         say(line)

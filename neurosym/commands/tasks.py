@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, Optional
 
 from tyro.conf import Positional, UseAppendAction, arg
 
+from neurosym.choices import DEFAULT_PLANNER
 from neurosym.commands.arguments import (
     Folder,
     Json,
@@ -292,7 +293,6 @@ def _saved_plan(folder: DomainFolder, name: str, must_fit: bool) -> Path:
     return file
 
 
-_USUAL = "fast-downward"  # the planner that is asked if none is named
 _UNLIKELY = 0.1
 """Below this chance it is said that a plan seldom goes through."""
 
@@ -302,7 +302,7 @@ def plan(
     problem: ProblemName,
     planner: Annotated[
         str, arg(help="One that `neurosym planners` lists, or your own as module:factory.")
-    ] = _USUAL,
+    ] = DEFAULT_PLANNER,
     time_limit: TimeLimit = None,
     encoding: Annotated[
         Optional[Literal["strips", "numeric", "sas"]],
@@ -371,7 +371,7 @@ def plan(
     elif nearest:
         say_next(f"neurosym show {quoted(folder)} --problem {name}")
     else:
-        by = "" if planner == _USUAL else f" --planner {quoted(planner)}"
+        by = "" if planner == DEFAULT_PLANNER else f" --planner {quoted(planner)}"
         say_next(f"neurosym plan {quoted(folder)} {name}{by} --nearest")
     if written and output == _STANDARD:
         be_quiet(False)

@@ -15,7 +15,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from neurosym.choices import AnyTask
+from neurosym.choices import DEFAULT_PLANNER, AnyTask
 from neurosym.errors import InvalidValue, counted
 from neurosym.execution.performance import Moment
 from neurosym.execution.record import Replanning, Run, StepRecord
@@ -41,14 +41,13 @@ from neurosym.tasks.transition import PlanStep, validate
 from neurosym.world import Scene
 
 _MOST_FILE = 1_000_000  # bytes of a scene that is opened on the page
-_USUAL = "fast-downward"  # the planner that is asked if it is there
 _LEFT_OUT = (INTERACTIONS, "pictures", "comparison", "report.html")  # of a domain, in the folder of a page
 
 
 def planners_here() -> tuple[str, ...]:
     """Name the planners of which nothing is missing, whom to ask if nobody says whom first."""
     found = [name for name, planner in PLANNERS.items() if not planner.missing()]
-    return tuple(sorted(found, key=lambda name: name != _USUAL))
+    return tuple(sorted(found, key=lambda name: name != DEFAULT_PLANNER))
 
 
 def furnished_room(folder: DomainFolder) -> Path:

@@ -47,7 +47,7 @@ _kept: Callable[[int], Submit] | None = None
 
 @contextmanager
 def kept_workers() -> Iterator[None]:
-    """Keep workers that are started until this ends, since to start others takes a second."""
+    """Keep workers until this ends, so that they are started once and not for each piece of work."""
     global _kept
     if _kept is not None:
         yield
@@ -63,6 +63,8 @@ def kept_workers() -> Iterator[None]:
 @contextmanager
 def worker_pool(workers: int) -> Iterator[Submit]:
     """Start processes, and yield what has one call a function with arguments; all must survive pickling.
+
+    Within `kept_workers`, those are taken that were started.
 
     Raises:
         CannotStart: If the system does not let them be started.

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tools.benchmarks.budget import codes, heights, ways
+from tools.benchmarks.budget import codes, evaluate, heights, ways
 from tools.benchmarks.budget.summary import page, summarise
 
 LEARNED = {"cpu": 60.0, "interactions": 1990, "moved": 0.3, "kinds": ["push"], "r2": 0.5}
@@ -98,6 +98,22 @@ def test_nothing_is_told_of_what_was_not_measured():
     assert set(empty["interactions_for"].values()) == {None}
     assert empty["cpu_ratio"] is None
     assert "not measured yet" in page(empty)
+
+
+def test_run_goes_through_its_checkpoints_whether_they_are_asked_for_or_not(monkeypatch, tmp_path):
+    asked = list[int]()
+
+    def run(folder, *, interactions, **_):
+        folder.mkdir(exist_ok=True)
+        asked.append(interactions)
+        if interactions == 8000:
+            raise InterruptedError
+
+    monkeypatch.setattr(evaluate, "run", run)
+    for _ in range(2):  # without its folder, and with it
+        with pytest.raises(InterruptedError):
+            evaluate.learn(tmp_path, "random", 4, 8000)
+    assert asked == 2 * [2000, 4000, 8000]
 
 
 @pytest.mark.parametrize("part", ["", "teaching", "prior", "weighing", "stopping"])
