@@ -8,9 +8,11 @@ goes on from what it wrote.
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
-from dataclasses import dataclass
-from functools import cache
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass, replace
+from functools import cache, partial
+from itertools import dropwhile, groupby
+from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
 import msgspec
@@ -19,11 +21,19 @@ from neurosym.choices import CELL, StrategyName
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import own_name
 from neurosym.errors import InvalidFile, InvalidValue, counted
-from neurosym.files import digests, make_folder, read_json, refuse_other_kinds, write_json
+from neurosym.files import (
+    Drafts,
+    digests,
+    make_folder,
+    read_json,
+    refuse_other_kinds,
+    write_atomically,
+    write_json,
+)
 from neurosym.grounding import Grounding
 from neurosym.stages import layout
 from neurosym.stages.compilation import compile_stage
-from neurosym.stages.console import say
+from neurosym.stages.console import be_quiet, say
 from neurosym.stages.folder import Claim, DomainFolder, Stage
 from neurosym.stages.learning import (
     AIMS,
@@ -37,7 +47,8 @@ from neurosym.stages.learning import (
     train_stage,
 )
 from neurosym.stages.verdicts import judge_domain
-from neurosym.worlds.workers import kept_workers
+from neurosym.worlds.processes import Child, ChildEnded
+from neurosym.worlds.workers import WorkerDied, kept_workers
 
 _TIMES = 5
 """So often an operator is to be seen at least, on average."""
@@ -210,15 +221,38 @@ class Recipe:
     workers: int  # how many processes; their number does not change what is learned
     bits: Mapping[str, int | None]  # of the symbols of objects and actions, where they are said
 
-    def learn(self, folder: DomainFolder, aim: Aim, share: Share, before: Spent | None) -> Spent:
-        """Explore, train and distil for an aim, as far as its share of a round goes.
+    def learn(self, folder: DomainFolder, shares: Round, before: Mapping[str, Spent]) -> dict[str, Spent]:
+        """Explore, train and distil, as far as each aim's share of a round goes.
+
+        Aims that build on no other one explore first, so that their networks can be trained at a time.
 
         Args:
             folder: Where.
-            aim: What actions are aimed at.
-            share: What there is to spend, and was.
-            before: What was spent, if anything was.
+            shares: What there is to spend, and was.
+            before: What was spent.
+
+        Returns:
+            What is spent now, by aim.
         """
+        spent = dict[str, Spent]()
+        for _, group in groupby(AIMS, lambda aim: bool(aim.builds_on)):
+            turns = [
+                self._turn(folder, aim, shares[aim.folder], before.get(aim.folder))
+                for aim in group
+                if aim.folder in shares
+            ]
+            for turn in turns:
+                perform(folder, turn.explore)
+            with _trained_aside(folder, turns[1:] if self.workers > 1 else []) as aside:
+                for turn in turns:
+                    perform(folder, aside.get(turn.aim.folder, turn.train))
+                    perform(folder, turn.distill)
+                    performed = len(ledger_of(folder, turn.aim))
+                    spent[turn.aim.folder] = msgspec.structs.replace(turn.spent, performed=performed)
+        return spent
+
+    def _turn(self, folder: DomainFolder, aim: Aim, share: Share, before: Spent | None) -> "_Turn":
+        """Say what is to be done for an aim."""
         held = Held()
         if before is not None:
             there = len(ledger_of(folder, aim))  # none if another version performed it
@@ -230,14 +264,65 @@ class Recipe:
         searching["regime"] = self.regime
         searching["budget"] = max(0, share.budget - held.performed)
         exploring: dict[str, Any] = {"steps": share.explored, "strategy": self.strategy}
-        for stage in (
+        symbols = before.symbols if before is not None and held.bits else share.explored
+        return _Turn(
+            aim,
             explore_stage(folder, aim, workers=self.workers, **exploring, **fitting),
             train_stage(folder, aim, held=held, **fitting),
             distill_stage(folder, aim, held=held, workers=self.workers, **searching),
-        ):
-            perform(folder, stage)
-        symbols = before.symbols if before is not None and held.bits else share.explored
-        return Spent(share.explored, len(ledger_of(folder, aim)), share.budget, symbols)
+            fitting | {"held": held},
+            Spent(share.explored, 0, share.budget, symbols),
+        )
+
+
+class _Turn(NamedTuple):
+    """What is done for an aim in a round."""
+
+    aim: Aim
+    explore: Stage
+    train: Stage
+    distill: Stage
+    fitting: dict[str, Any]  # what training is asked for
+    spent: Spent  # what comes of it, but for what is performed
+
+
+@contextmanager
+def _trained_aside(folder: DomainFolder, turns: Sequence[_Turn]) -> Iterator[dict[str, Stage]]:
+    """Begin to train in processes of their own, silently; yields stages that wait for what comes of it.
+
+    A network is trained by one thread, so two take no longer than one where there are two processors.
+    """
+    with ExitStack() as stack:
+        stages = dict[str, Stage]()
+        for turn in turns:
+            if folder.is_current(turn.train):
+                continue
+            child = Child()
+            stack.callback(child.close, grace=0.0)
+            child.ask(_trained, folder.path, turn.aim.folder, turn.fitting)
+            stages[turn.aim.folder] = replace(turn.train, work=partial(_put_in_place, folder, child))
+        yield stages
+
+
+def _trained(path: Path, name: str, fitting: dict[str, Any]) -> dict[str, bytes]:
+    """Train for the aim of a name; gives what each file is to hold, and writes none."""
+    be_quiet(True)
+    folder, aim = DomainFolder(path), next(aim for aim in AIMS if aim.folder == name)
+    stage = train_stage(folder, aim, **fitting)
+    with Drafts() as drafts:
+        stage.work()
+        written = {name: drafts.now_at(folder / name) for name in stage.outputs}
+        return {name: file.read_bytes() for name, file in written.items() if file}
+
+
+def _put_in_place(folder: DomainFolder, child: Child) -> None:
+    try:
+        contents = child.answer()
+    except ChildEnded as error:
+        raise WorkerDied from error
+    for name, content in contents.items():
+        make_folder((folder / name).parent)
+        write_atomically(folder / name, content)
 
 
 @kept_workers()
@@ -280,11 +365,7 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
             if budget.is_idle:
                 say("the last round found too little that was worth performing, so this is the end")
                 break
-            spent = dict[str, Spent]()
-            for aim in (aim for aim in AIMS if aim.folder in shares):
-                share, before = shares[aim.folder], budget.last.get(aim.folder)
-                if spent or share != budget.shares.get(aim.folder):  # each builds on those before it
-                    spent[aim.folder] = recipe.learn(workshop, aim, share, before)
+            spent = recipe.learn(workshop, _grown(shares, budget.shares), budget.last)
             budget = Budget((*budget.rounds, {**budget.last, **spent}), budget.seen)
             if is_open:
                 write_json(workshop / layout.BUDGET, budget)
@@ -293,6 +374,12 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
                 can = judge_domain(Grounding.load(folder / layout.GROUNDING)).lines[0]
                 done = f"round {len(budget.rounds)} of {count}"
                 say(f"{done}: {counted(budget.total, 'interaction')} so far; {can}")
+
+
+def _grown(shares: Round, before: Round) -> Round:
+    """Leave out the aims before the first whose share grew; each builds on those before it."""
+    ordered = [(aim.folder, shares[aim.folder]) for aim in AIMS if aim.folder in shares]
+    return dict(dropwhile(lambda pair: before.get(pair[0]) == pair[1], ordered))
 
 
 def explored_in(folder: DomainFolder) -> Counter[str]:

@@ -1,5 +1,7 @@
 """One budget, spent in rounds: there is a domain after each, and interruptions change nothing."""
 
+import os
+import signal
 from dataclasses import replace
 
 import msgspec
@@ -14,6 +16,7 @@ from neurosym.learning.training_config import REGIMES
 from neurosym.primitives.ledger import Ledger
 from neurosym.stages import layout, rounds
 from neurosym.stages.folder import DomainFolder
+from neurosym.stages.learning import TO_PLACES
 
 RUN = [
     "--world",
@@ -33,18 +36,36 @@ RUN += ["--object-bits", "1", "--action-bits", "2"]  # eight operators
 FOR_OBJECTS = ["--places", 0]
 OF_OBJECTS = layout.INTERACTIONS, layout.PRIMITIVES, layout.LEDGER
 FILES = (*OF_OBJECTS, layout.DOMAIN, layout.BUDGET)
+OF_PLACES = [TO_PLACES.file(name) for name in (layout.DIRECT_MODEL, layout.MODEL, layout.TRAINING)]
+trained = rounds._trained
 
 
 @pytest.fixture(autouse=True, scope="module")
 def small():
     """Let rounds begin small, and training take a moment."""
-    naming = replace(BRIEF.naming, steps=100)  # so that there are actions with most codes
-    brief = replace(REGIMES["quick"], model=SMALL, training=replace(BRIEF, naming=naming))
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(rounds, "_FIRST", 30)
         patch.setattr(rounds, "_HELD", 72)
-        patch.setitem(REGIMES, "quick", brief)
+        patch.setitem(REGIMES, "quick", brief())
+        patch.setattr(rounds, "_trained", trained_briefly)
         yield
+
+
+def brief():
+    """The quick regime with a training that takes a moment."""
+    naming = replace(BRIEF.naming, steps=100)  # so that there are actions with most codes
+    return replace(REGIMES["quick"], model=SMALL, training=replace(BRIEF, naming=naming))
+
+
+def trained_briefly(*given):
+    """Train in another process, in which nothing is patched, in a moment, too."""
+    REGIMES["quick"] = brief()
+    return trained(*given)
+
+
+def killed(*_):
+    """Be killed in the midst of training."""
+    os.kill(os.getpid(), signal.SIGKILL)
 
 
 @pytest.fixture(scope="module")
@@ -100,6 +121,30 @@ def test_interrupted_and_continued_runs_end_with_the_same_bytes(alone, tmp_path,
     assert {path: path.stat().st_mtime_ns for path in folder.rglob("*")} == before
 
 
+def test_networks_that_are_trained_at_a_time_are_the_same_whatever_happens_meanwhile(
+    tmp_path, monkeypatch, capsys
+):
+    assert spend(tmp_path / "one", 500) == 0
+    folder, inner, calls = tmp_path / "two", Ledger.perform, []
+
+    def interrupted(*given, **options):
+        calls.append(1)
+        if len(calls) == 2:
+            raise KeyboardInterrupt
+        return inner(*given, **options)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(rounds, "_trained", killed)
+        assert spend(folder, 500, "--workers", 2) != 0
+    assert "A worker process died" in capsys.readouterr().err
+    with monkeypatch.context() as patch:
+        patch.setattr(Ledger, "perform", interrupted)
+        assert spend(folder, 500, "--workers", 2) != 0
+    assert spend(folder, 500, "--workers", 2) == 0
+    for name in (*FILES, *OF_PLACES):
+        assert (folder / name).read_bytes() == (tmp_path / "one" / name).read_bytes()
+
+
 @pytest.mark.parametrize("aims", [[("",)] * 3, [("", "places")] * 3, [("",), ("", "places"), ("", "places")]])
 def test_going_on_never_exceeds_the_larger_budget_nor_takes_back_what_was_spent(aims, monkeypatch):
     monkeypatch.setattr(rounds, "_FIRST", 400)
@@ -135,7 +180,7 @@ def test_symbols_are_learned_anew_only_if_enough_is_left_to_measure_them(tmp_pat
     monkeypatch.setattr(rounds, "train_stage", lambda *_, held, **__: asked.append(held))
     for explored, budget, symbols in ((60, 150, 50), (60, 250, 50), (200, 250, 72)):
         before = rounds.Spent(50, 100, 100, symbols)
-        recipe.learn(DomainFolder(tmp_path), rounds.OBJECTS, rounds.Share(explored, budget), before)
+        recipe.learn(DomainFolder(tmp_path), {"": rounds.Share(explored, budget)}, {"": before})
     assert [held.bits for held in asked] == [True, False, True]
 
 
@@ -165,7 +210,7 @@ def test_others_plan_while_a_round_works_and_nobody_else_learns(tmp_path, monkey
 def test_files_that_were_changed_meanwhile_are_not_overwritten(tmp_path, monkeypatch, capsys):
     def changing(*given, **options):
         (tmp_path / "grown" / layout.INTERACTIONS).write_text("mine")
-        return rounds.Spent(0, 0, 0)
+        return {"": rounds.Spent(0, 0, 0)}
 
     monkeypatch.setattr(rounds.Recipe, "learn", changing)
     said = refusal(capsys, "run", tmp_path / "grown", "--interactions", 350, *RUN, *FOR_OBJECTS)
