@@ -10,7 +10,7 @@ import numpy as np
 
 from neurosym.checks import Float, check_kind, check_seed
 from neurosym.data.interactions import Interactions
-from neurosym.data.origin import strategy_of, too_few
+from neurosym.data.origin import is_explored, strategy_of, too_few
 from neurosym.errors import InvalidValue
 from neurosym.learning.losses import FitProgress, dimensions_of, reproducible, samples_of
 from neurosym.learning.network import DirectModel, EffectModel
@@ -42,6 +42,7 @@ def trivial_predictions(
     }
 
 
+_LEAST_SPREAD = 1e-4  # an axis on which effects in a world spread less says nothing of a model [m]
 _DIRECT = 0x6469  # keeps the draws of the network without a bottleneck apart
 
 
@@ -140,7 +141,8 @@ def assess(
     seen = held_out.features, held_out.actions
     coded, uncut = model.predict_from_codes(*seen)[0], model.predict(*seen)[0]
     by_axis = [r_squared(guess, effects) for guess in (coded, uncut, direct.predict(*seen))]
-    means = [mean_over_axes(r2, effects) for r2 in by_axis]
+    least = _LEAST_SPREAD if is_explored(kept.origin) else 0.0
+    means = [mean_over_axes(r2, effects, least) for r2 in by_axis]
     predictors = {"model": coded, **trivial_predictions(kept.effects, len(effects))}
     return TrainingReport(
         held_out=len(held_out),
@@ -174,14 +176,17 @@ def r_squared(
     return np.where(total > 1e-12, 1 - residual / np.maximum(total, 1e-12), 0.0)
 
 
-def mean_over_axes(r2: Float[np.ndarray, "E"], observed: Float[np.ndarray, "N E"]) -> float:
+def mean_over_axes(
+    r2: Float[np.ndarray, "E"], observed: Float[np.ndarray, "N E"], least: float = 0.0
+) -> float:
     """Return the mean of R2 over the axes that vary; 0 if none does.
 
     Args:
         r2: R2 on each axis.
-        observed: The effects that were observed [m].
+        observed: The effects that were observed.
+        least: An axis varies if its standard deviation is larger than this.
     """
-    varies = observed.std(0) > 0
+    varies = observed.std(0) > least
     return float(r2[varies].mean()) if varies.any() else 0.0
 
 
