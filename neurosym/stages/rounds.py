@@ -22,9 +22,11 @@ from neurosym.data.interactions import Interactions
 from neurosym.data.origin import own_name
 from neurosym.errors import InvalidFile, InvalidValue, counted
 from neurosym.files import (
+    MOST_DATA,
     Drafts,
     digests,
     make_folder,
+    read_bytes,
     read_json,
     refuse_other_kinds,
     write_atomically,
@@ -312,7 +314,7 @@ def _trained(path: Path, name: str, fitting: dict[str, Any]) -> dict[str, bytes]
     with Drafts() as drafts:
         stage.work()
         written = {name: drafts.now_at(folder / name) for name in stage.outputs}
-        return {name: file.read_bytes() for name, file in written.items() if file}
+        return {name: read_bytes(file, MOST_DATA) for name, file in written.items() if file}
 
 
 def _put_in_place(folder: DomainFolder, child: Child) -> None:
