@@ -292,7 +292,7 @@ class _Turn(NamedTuple):
 def _trained_aside(folder: DomainFolder, turns: Sequence[_Turn]) -> Iterator[dict[str, Stage]]:
     """Begin to train in processes of their own, silently; yields stages that wait for what comes of it.
 
-    A network is trained by one thread, so two take no longer than one where there are two processors.
+    Most of a training is done by one thread, so two take hardly longer than one on two processors.
     """
     with ExitStack() as stack:
         stages = dict[str, Stage]()
@@ -306,10 +306,10 @@ def _trained_aside(folder: DomainFolder, turns: Sequence[_Turn]) -> Iterator[dic
         yield stages
 
 
-def _trained(path: Path, name: str, fitting: dict[str, Any]) -> dict[str, bytes]:
-    """Train for the aim of a name; gives what each file is to hold, and writes none."""
+def _trained(path: Path, aimed_at: str, fitting: dict[str, Any]) -> dict[str, bytes]:
+    """Train for the aim with that folder; gives what each file is to hold, and writes none."""
     be_quiet(True)
-    folder, aim = DomainFolder(path), next(aim for aim in AIMS if aim.folder == name)
+    folder, aim = DomainFolder(path), next(aim for aim in AIMS if aim.folder == aimed_at)
     stage = train_stage(folder, aim, **fitting)
     with Drafts() as drafts:
         stage.work()
@@ -318,6 +318,7 @@ def _trained(path: Path, name: str, fitting: dict[str, Any]) -> dict[str, bytes]
 
 
 def _put_in_place(folder: DomainFolder, child: Child) -> None:
+    """Wait for what was trained aside, and write its files."""
     try:
         contents = child.answer()
     except ChildEnded as error:
