@@ -262,6 +262,7 @@ class Recipe:
             held = Held(min(before.performed, there), is_little or before.symbols >= _HELD)
         fitting: dict[str, Any] = {"seed": self.seed, "regime": self.regime}
         fitting |= self.bits if aim is OBJECTS else {}
+        training = fitting | {"held": held}
         searching: dict[str, Any] = {"objects": self.objects, "choice": self.choice, "seed": self.seed}
         searching["regime"] = self.regime
         searching["budget"] = max(0, share.budget - held.performed)
@@ -270,9 +271,9 @@ class Recipe:
         return _Turn(
             aim,
             explore_stage(folder, aim, workers=self.workers, **exploring, **fitting),
-            train_stage(folder, aim, held=held, **fitting),
+            train_stage(folder, aim, **training),
             distill_stage(folder, aim, held=held, workers=self.workers, **searching),
-            fitting | {"held": held},
+            training,
             Spent(share.explored, 0, share.budget, symbols),
         )
 
@@ -284,7 +285,7 @@ class _Turn(NamedTuple):
     explore: Stage
     train: Stage
     distill: Stage
-    fitting: dict[str, Any]  # what training is asked for
+    training: dict[str, Any]  # the options of `train`
     spent: Spent  # what comes of it, but for what is performed
 
 
@@ -301,16 +302,16 @@ def _trained_aside(folder: DomainFolder, turns: Sequence[_Turn]) -> Iterator[dic
                 continue
             child = Child()
             stack.callback(child.close, grace=0.0)
-            child.ask(_trained, folder.path, turn.aim.folder, turn.fitting)
+            child.ask(_trained, folder.path, turn.aim.folder, turn.training)
             stages[turn.aim.folder] = replace(turn.train, work=partial(_put_in_place, folder, child))
         yield stages
 
 
-def _trained(path: Path, aimed_at: str, fitting: dict[str, Any]) -> dict[str, bytes]:
+def _trained(path: Path, aimed_at: str, training: dict[str, Any]) -> dict[str, bytes]:
     """Train for the aim with that folder; gives what each file is to hold, and writes none."""
     be_quiet(True)
     folder, aim = DomainFolder(path), next(aim for aim in AIMS if aim.folder == aimed_at)
-    stage = train_stage(folder, aim, **fitting)
+    stage = train_stage(folder, aim, **training)
     with Drafts() as drafts:
         stage.work()
         written = {name: drafts.now_at(folder / name) for name in stage.outputs}

@@ -80,6 +80,19 @@ def spend(folder, count, *options):
     return neurosym("run", folder, "--interactions", count, *RUN, *options)
 
 
+def interrupted_in_call(number):
+    """Perform as a ledger does, but be interrupted once."""
+    inner, calls = Ledger.perform, []
+
+    def perform(*given, **options):
+        calls.append(1)
+        if len(calls) == number:
+            raise KeyboardInterrupt
+        return inner(*given, **options)
+
+    return perform
+
+
 def contents(folder):
     return {name: (folder / name).read_bytes() for name in FILES}
 
@@ -101,15 +114,8 @@ def test_rounds_end_with_a_domain_each_and_never_exceed_the_budget(alone, tmp_pa
 
 
 def test_interrupted_and_continued_runs_end_with_the_same_bytes(alone, tmp_path, monkeypatch):
-    folder, inner, calls = tmp_path / "broken", Ledger.perform, []
-
-    def interrupted(*given, **options):
-        calls.append(1)
-        if len(calls) == 5:
-            raise KeyboardInterrupt
-        return inner(*given, **options)
-
-    monkeypatch.setattr(Ledger, "perform", interrupted)
+    folder = tmp_path / "broken"
+    monkeypatch.setattr(Ledger, "perform", interrupted_in_call(5))
     assert spend(folder, 180, *FOR_OBJECTS) != 0
     assert read_json(folder / layout.BUDGET, rounds.Budget) == rounds.Budget()
     assert spend(folder, 180, *FOR_OBJECTS) == 0
@@ -125,20 +131,13 @@ def test_networks_that_are_trained_at_a_time_are_the_same_whatever_happens_meanw
     tmp_path, monkeypatch, capsys
 ):
     assert spend(tmp_path / "one", 500) == 0
-    folder, inner, calls = tmp_path / "two", Ledger.perform, []
-
-    def interrupted(*given, **options):
-        calls.append(1)
-        if len(calls) == 2:
-            raise KeyboardInterrupt
-        return inner(*given, **options)
-
+    folder = tmp_path / "two"
     with monkeypatch.context() as patch:
         patch.setattr(rounds, "_trained", killed)
         assert spend(folder, 500, "--workers", 2) != 0
     assert "A worker process died" in capsys.readouterr().err
     with monkeypatch.context() as patch:
-        patch.setattr(Ledger, "perform", interrupted)
+        patch.setattr(Ledger, "perform", interrupted_in_call(2))
         assert spend(folder, 500, "--workers", 2) != 0
     assert spend(folder, 500, "--workers", 2) == 0
     for name in (*FILES, *OF_PLACES):

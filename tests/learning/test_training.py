@@ -169,9 +169,7 @@ def test_axes_that_never_change_are_left_out_of_the_mean_and_there_is_no_share_o
     data = toy_data(300)
     report, _, _ = assessed(replace(data, effects=data.effects * np.array([1, 1, 0], dtype=np.float32)))
     assert report.r2_direct == pytest.approx(np.mean(report.r2_direct_by_axis[:2]))
-    hardly = data.effects * np.array(
-        [1, 1, 1e-4], dtype=np.float32
-    )  # some micrometres, as things come to rest
+    hardly = data.effects * np.array([1, 1, 1e-4], dtype=np.float32)  # z varies by some micrometres
     for origin, axes in ((data.origin, 2), ({}, 3)):  # of a user's data nobody knows what is little
         report, _, _ = assessed(replace(data, effects=hardly, origin=origin))
         assert report.r2_direct == pytest.approx(np.mean(report.r2_direct_by_axis[:axes]))
