@@ -106,3 +106,19 @@ def test_short_work_and_quiet_commands_say_nothing(now, capsys, seconds, quiet):
     finally:
         console.be_quiet(False)
     assert capsys.readouterr().err == ""
+
+
+def test_what_works_elsewhere_hands_its_lines_to_who_shows_them(now, capsys, monkeypatch):
+    monkeypatch.setattr(console, "_Output", type("Elsewhere", (console._Output,), {}))
+    handed: list[str] = []
+    console.show_elsewhere(handed.append)
+    work(now, 600.0)
+    console.say("done")
+    assert capsys.readouterr() == ("", "")
+    monkeypatch.undo()
+    with console.shown_doing(always=True) as show:
+        for line in handed:
+            show(line)
+    assert capsys.readouterr().err.splitlines() == handed
+    assert len(handed) == 10
+    assert handed[0] == "digging: 10 of 100 after 1:00 min, about 9:00 min left"

@@ -5,7 +5,7 @@ import re
 import shutil
 import sys
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from functools import partial
 from itertools import chain, zip_longest
@@ -28,14 +28,20 @@ class OutputClosed(BaseException):
 
 
 class _Output:
-    """Whether commands print what they have to say."""
+    """Whether commands print what they have to say, and who shows how far work has come, if others do."""
 
     quiet = False
+    take: Callable[[str], None] | None = None
 
 
 def be_quiet(quiet: bool) -> None:
     """Print nothing but what goes wrong, or everything again."""
     _Output.quiet = quiet
+
+
+def show_elsewhere(take: Callable[[str], None]) -> None:
+    """Print nothing but what goes wrong, and hand lines that say how far work has come to who shows them."""
+    _Output.quiet, _Output.take = True, take
 
 
 def is_quiet() -> bool:
@@ -177,13 +183,19 @@ def _draw(text: str) -> None:
 
 
 @contextmanager
-def shown_doing() -> Iterator[Doing]:
-    """Show in a terminal what goes on, one thing in the place of the one before; it is gone in the end."""
-    is_shown = _is_seen() and not _Output.quiet
+def shown_doing(*, always: bool = False) -> Iterator[Doing]:
+    """Show in a terminal what goes on, one thing in the place of the one before; it is gone in the end.
+
+    Where there is no terminal, each is a line if it is to be shown `always`.
+    """
+    is_shown = not _Output.quiet
     try:
-        yield lambda text: _draw(text) if is_shown else None
+        if is_shown and _is_seen():
+            yield _draw
+        else:
+            yield lambda text: _write_error(f"{harmless(text)}\n") if is_shown and always else None
     finally:
-        if is_shown:
+        if is_shown and _is_seen():
             _draw("")
 
 
@@ -212,12 +224,12 @@ class _Bar:
 
     def advance(self, done: int, total: int, label: str | None = None) -> None:
         """Say how much is done, if it is time to."""
-        if _Output.quiet:
+        if _Output.quiet and _Output.take is None:
             return
         if label is not None and label != self._label:
             self._restart(label)
         now, tenths = monotonic(), 10 * done // total if total else 0
-        is_seen, taken = _is_seen(), now - self._begin
+        is_seen, taken = _is_seen() and _Output.take is None, now - self._begin
         pause = _REDRAW if is_seen else _LEAST_PAUSE
         if now - self._last < pause and not (is_seen and done >= total):
             return
@@ -230,6 +242,8 @@ class _Bar:
             self.is_drawn = True
             wide = max(0, min(_BAR, shutil.get_terminal_size().columns - len(text) - 2))
             _draw(f"{'█' * (wide * done // max(total, 1)):<{wide}} {text}")
+        elif _Output.take:
+            _Output.take(text)
         else:
             _write_error(f"{harmless(text)}\n")
 

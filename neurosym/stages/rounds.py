@@ -35,7 +35,7 @@ from neurosym.files import (
 from neurosym.grounding import Grounding
 from neurosym.stages import layout
 from neurosym.stages.compilation import compile_stage
-from neurosym.stages.console import be_quiet, say
+from neurosym.stages.console import say, show_elsewhere, shown_doing
 from neurosym.stages.folder import Claim, DomainFolder, Stage
 from neurosym.stages.learning import (
     AIMS,
@@ -49,7 +49,7 @@ from neurosym.stages.learning import (
     train_stage,
 )
 from neurosym.stages.verdicts import judge_domain
-from neurosym.worlds.processes import Child, ChildEnded
+from neurosym.worlds.processes import Child, ChildEnded, parent
 from neurosym.worlds.workers import WorkerDied, kept_workers
 
 _TIMES = 5
@@ -226,7 +226,7 @@ class Recipe:
     def learn(self, folder: DomainFolder, shares: Round, before: Mapping[str, Spent]) -> dict[str, Spent]:
         """Explore, train and distil, as far as each aim's share of a round goes.
 
-        Aims that build on no other one explore first, so that their networks can be trained at a time.
+        Networks of aims that build on no other one are trained while the next of these explores or rehearses.
 
         Args:
             folder: Where.
@@ -243,11 +243,14 @@ class Recipe:
                 for aim in group
                 if aim.folder in shares
             ]
-            for turn in turns:
-                perform(folder, turn.explore)
-            with _trained_aside(folder, turns[1:] if self.workers > 1 else []) as aside:
+            with ExitStack() as aside:
+                training = list[Stage]()
                 for turn in turns:
-                    perform(folder, aside.get(turn.aim.folder, turn.train))
+                    perform(folder, turn.explore)
+                    is_alone = self.workers == 1 or len(turns) == 1
+                    training.append(turn.train if is_alone else _trained_aside(folder, turn, aside))
+                for turn, train in zip(turns, training, strict=True):
+                    perform(folder, train)
                     perform(folder, turn.distill)
                     performed = len(ledger_of(folder, turn.aim))
                     spent[turn.aim.folder] = msgspec.structs.replace(turn.spent, performed=performed)
@@ -289,27 +292,22 @@ class _Turn(NamedTuple):
     spent: Spent  # what comes of it, but for what is performed
 
 
-@contextmanager
-def _trained_aside(folder: DomainFolder, turns: Sequence[_Turn]) -> Iterator[dict[str, Stage]]:
-    """Begin to train in processes of their own, silently; yields stages that wait for what comes of it.
+def _trained_aside(folder: DomainFolder, turn: _Turn, until: ExitStack) -> Stage:
+    """Begin to train in a process that ends with the stack; the stage waits for what comes of it.
 
-    Most of a training is done by one thread, so two take hardly longer than one on two processors.
+    Most of a training is done by one thread, so that processors would be idle.
     """
-    with ExitStack() as stack:
-        stages = dict[str, Stage]()
-        for turn in turns:
-            if folder.is_current(turn.train):
-                continue
-            child = Child()
-            stack.callback(child.close, grace=0.0)
-            child.ask(_trained, folder.path, turn.aim.folder, turn.training)
-            stages[turn.aim.folder] = replace(turn.train, work=partial(_put_in_place, folder, child))
-        yield stages
+    if folder.is_current(turn.train):
+        return turn.train
+    child = Child()
+    until.callback(child.close, grace=0.0)
+    child.ask(_trained, folder.path, turn.aim.folder, turn.training)
+    return replace(turn.train, work=partial(_put_in_place, folder, child))
 
 
 def _trained(path: Path, aimed_at: str, training: dict[str, Any]) -> dict[str, bytes]:
     """Train for the aim with that folder; gives what each file is to hold, and writes none."""
-    be_quiet(True)
+    show_elsewhere(parent().send)
     folder, aim = DomainFolder(path), next(aim for aim in AIMS if aim.folder == aimed_at)
     stage = train_stage(folder, aim, **training)
     with Drafts() as drafts:
@@ -321,7 +319,8 @@ def _trained(path: Path, aimed_at: str, training: dict[str, Any]) -> dict[str, b
 def _put_in_place(folder: DomainFolder, child: Child) -> None:
     """Wait for what was trained aside, and write its files."""
     try:
-        contents = child.answer()
+        with shown_doing(always=True) as show:
+            contents = child.answer(hear=show)
     except ChildEnded as error:
         raise WorkerDied from error
     for name, content in contents.items():

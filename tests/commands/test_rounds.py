@@ -17,6 +17,7 @@ from neurosym.primitives.ledger import Ledger
 from neurosym.stages import layout, rounds
 from neurosym.stages.folder import DomainFolder
 from neurosym.stages.learning import TO_PLACES
+from neurosym.worlds.processes import parent
 
 RUN = [
     "--world",
@@ -59,6 +60,7 @@ def brief():
 
 def trained_briefly(*given):
     """Train in another process, in which nothing is patched, in a moment, too."""
+    parent().send("halfway")
     REGIMES["quick"] = brief()
     return trained(*given)
 
@@ -140,6 +142,7 @@ def test_networks_that_are_trained_at_a_time_are_the_same_whatever_happens_meanw
         patch.setattr(Ledger, "perform", interrupted_in_call(2))
         assert spend(folder, 500, "--workers", 2) != 0
     assert spend(folder, 500, "--workers", 2) == 0
+    assert "halfway" in capsys.readouterr().err.splitlines()
     for name in (*FILES, *OF_PLACES):
         assert (folder / name).read_bytes() == (tmp_path / "one" / name).read_bytes()
 
