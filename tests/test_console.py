@@ -98,6 +98,14 @@ def test_a_line_for_each_tenth_says_what_is_left(now, capsys):
     assert lines[-1] == "digging: 100 of 100 after 10:00 min"
 
 
+def test_what_was_done_before_does_not_hasten_what_is_left(now, capsys):
+    with console.progress_bar("digging") as advance:
+        advance(50, 100)
+        now[0] += 60.0
+        advance(60, 100)
+    assert capsys.readouterr().err == "digging: 60 of 100 after 1:00 min, about 4:00 min left\n"
+
+
 @pytest.mark.parametrize(("seconds", "quiet"), [(4.0, False), (600.0, True)])
 def test_short_work_and_quiet_commands_say_nothing(now, capsys, seconds, quiet):
     console.be_quiet(quiet)

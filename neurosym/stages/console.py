@@ -19,6 +19,7 @@ _PROGRAM = re.compile(rf"(?:^|(?<=, then )|(?<= && )){NAME}(?= )")
 _LONG = re.compile(r"\S{1000,}")
 _LEAST_PAUSE = 5.0  # between lines that say how far some work has come [s]
 _BAR, _REDRAW = 30, 0.1  # columns of a bar; how often it is drawn [s]
+_AT_ONCE = 1.0  # what is done so soon may have been done before, and tells nothing of what is left [s]
 NARROW = 80  # columns of help, and of what is to be read in one screen
 _VECTOR = re.compile(r"\([-\d., ]{,60}\)")
 
@@ -221,6 +222,7 @@ class _Bar:
     def _restart(self, label: str) -> None:
         self._label, self._tenths = label, 0
         self._begin = self._last = monotonic()
+        self._measured_from = self._begin, 0
 
     def advance(self, done: int, total: int, label: str | None = None) -> None:
         """Say how much is done, if it is time to."""
@@ -229,6 +231,8 @@ class _Bar:
         if label is not None and label != self._label:
             self._restart(label)
         now, tenths = monotonic(), 10 * done // total if total else 0
+        if now - self._begin <= _AT_ONCE:
+            self._measured_from = now, done
         is_seen, taken = _is_seen() and _Output.take is None, now - self._begin
         pause = _REDRAW if is_seen else _LEAST_PAUSE
         if now - self._last < pause and not (is_seen and done >= total):
@@ -236,7 +240,9 @@ class _Bar:
         if not is_seen and tenths <= self._tenths:
             return
         self._tenths, self._last = tenths, now
-        left = "" if done >= total or not done else f", about {_minutes(taken * (total - done) / done)} left"
+        since, before = self._measured_from
+        rate = (now - since) / (done - before) if done > before else 0.0
+        left = f", about {_minutes(rate * (total - done))} left" if done < total and rate else ""
         text = f"{self._label}: {done} of {total} after {_minutes(taken)}{left}"
         if is_seen:
             self.is_drawn = True
