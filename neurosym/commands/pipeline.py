@@ -103,11 +103,15 @@ def run(
     chosen = regime_named(regime).model.with_bits(**bits)
     if steps is not None and interactions is not None:
         raise InvalidValue("--steps explores at once, and --interactions is a budget for rounds; give one.")
+    if steps is not None and (folder / layout.BUDGET).exists():
+        raise InvalidValue(f"{folder} grows in rounds; give --interactions in place of --steps.")
     operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
-    if interactions is not None and not (folder / layout.WORLD).exists():  # as far as a name tells
-        names = (layout.OBJECTS, layout.PLACES)[: 1 if places == 0 or is_factory(world or "") else 2]
-        least, seen = dict(zip(names, operators, strict=False)), ACTED if world == SEEING else 0
-        rounds(interactions, names, least, {}, seen)
+    if steps is None and not (folder / layout.WORLD).exists():  # as far as a name tells
+        takes = places != 0 and not is_factory(world or "")
+        asked = {layout.OBJECTS: True, layout.PLACES: takes, layout.RELATIONS: relations > 0}
+        names = [name for name, is_asked in asked.items() if is_asked]
+        least = dict(zip((layout.OBJECTS, layout.PLACES)[: 1 + takes], operators, strict=False))
+        rounds(interactions, names, least, {}, ACTED if world == SEEING else 0)
     domain = _begun(folder, world)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = explored_in(domain)[layout.OBJECTS] or None

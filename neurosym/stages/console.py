@@ -216,12 +216,11 @@ def progress_bar(label: str) -> Iterator[Advance]:
 
 class _Bar:
     def __init__(self, label: str):
-        self.is_drawn = False
+        self.is_drawn, self._last = False, monotonic()
         self._restart(label)
 
     def _restart(self, label: str) -> None:
-        self._label, self._tenths = label, 0
-        self._begin = self._last = monotonic()
+        self._label, self._tenths, self._begin = label, 0, monotonic()
         self._measured_from = self._begin, 0
 
     def advance(self, done: int, total: int, label: str | None = None) -> None:

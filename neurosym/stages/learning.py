@@ -334,7 +334,7 @@ def check_steps(folder: DomainFolder, steps: int, aim: Aim = OBJECTS, **asked: o
     for name, wanted in asked.items():
         if (kept := found.origin.get(name)) != wanted:
             said = f"{path} was explored with {name} = {kept!r}, not {wanted!r}"
-            raise InvalidValue(f"{said}; use that again, or remove it to begin anew.")
+            raise InvalidValue(f"{said}; use that again, or another folder.")
 
 
 def distill_stage(

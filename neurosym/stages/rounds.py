@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from functools import cache, partial
 from itertools import dropwhile, groupby
 from pathlib import Path
+from time import monotonic
 from typing import Annotated, Any, NamedTuple
 
 import msgspec
@@ -33,6 +34,7 @@ from neurosym.files import (
     write_json,
 )
 from neurosym.grounding import Grounding
+from neurosym.learning.training_config import PAPER_BITS, regime_named
 from neurosym.stages import layout
 from neurosym.stages.compilation import compile_stage
 from neurosym.stages.console import say, show_elsewhere, shown_doing
@@ -73,6 +75,9 @@ _HELD = 1024
 aim, unless the user says so: what is known then is better asked of operators."""
 _IDLE = 0.9
 """A round that finds worthwhile performances for less than this share of its budget is the last."""
+_SOON = 0.1
+"""What a process says so soon after one began to listen to it was said before [s]."""
+_ANEW = "; remove it to begin with a first round"
 
 
 Count = Annotated[int, msgspec.Meta(ge=0)]
@@ -204,7 +209,7 @@ def _left_of(plan: Sequence[Round], last: Round) -> list[Round]:
 def budget_of(folder: DomainFolder) -> Budget:
     """Read what the rounds that are done were spent on."""
     refuse_other_kinds(path := folder / layout.BUDGET)
-    return read_json(path, Budget, "; remove it to begin with a first round") if path.is_file() else Budget()
+    return read_json(path, Budget, _ANEW) if path.is_file() else Budget()
 
 
 _BEGAN = "began.json"
@@ -320,7 +325,8 @@ def _put_in_place(folder: DomainFolder, child: Child) -> None:
     """Wait for what was trained aside, and write its files."""
     try:
         with shown_doing(always=True) as show:
-            contents = child.answer(hear=show)
+            begin = monotonic()
+            contents = child.answer(hear=lambda said: show(said) if monotonic() - begin > _SOON else None)
     except ChildEnded as error:
         raise WorkerDied from error
     for name, content in contents.items():
@@ -355,6 +361,9 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
     for aim in (aim for aim in AIMS if aim.folder in shared):  # refuse a user's own data, and other draws
         asked = shared[aim.folder].explored
         check_steps(folder, asked, aim, strategy=name, seed=recipe.seed)
+    if budget.rounds:
+        _check_spent(folder, budget)
+        _check_trained(folder, recipe)
     if not left:
         done, more = counted(budget.total, "interaction"), math.ceil(_WORTH_GOING_ON * budget.total)
         say(f"{done} were performed already; --interactions {more} or more go on from there")
@@ -364,10 +373,14 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
         write_json(folder / layout.BUDGET, budget)  # it says that there are rounds
     count = len(budget.rounds) + len(left)
     with folder.claimed(Claim.SHARED), _workshop(folder) as workshop:
+        _check_begun(workshop, left[0])
         for shares in left:
             if budget.is_idle:
                 say("the last round found too little that was worth performing, so this is the end")
                 break
+            if is_open:
+                asked = sum(map(sum, ({**budget.shares, **shares}).values())) + budget.seen
+                say(f"round {len(budget.rounds) + 1} of {count} begins: up to {asked} interactions in all")
             spent = recipe.learn(workshop, _grown(shares, budget.shares), budget.last)
             budget = Budget((*budget.rounds, {**budget.last, **spent}), budget.seen)
             if is_open:
@@ -377,6 +390,46 @@ def grow(folder: DomainFolder, plan: Sequence[Round], recipe: Recipe, *, is_open
                 can = judge_domain(Grounding.load(folder / layout.GROUNDING)).lines[0]
                 done = f"round {len(budget.rounds)} of {count}"
                 say(f"{done}: {counted(budget.total, 'interaction')} so far; {can}")
+
+
+def _check_spent(folder: DomainFolder, budget: Budget) -> None:
+    """Refuse an account that tells of other aims than there are, or of more than there is."""
+    path, explored, aims = folder / layout.BUDGET, explored_in(folder), {aim.folder: aim for aim in AIMS}
+    for number, one in enumerate(budget.rounds, 1):
+        if not one or not one.keys() <= aims.keys():
+            raise InvalidFile(path, f"its round {number} has no valid aims{_ANEW}")
+    for name, spent in budget.last.items():
+        there = {
+            layout.INTERACTIONS: (spent.explored, explored.get(name, spent.explored)),
+            layout.LEDGER: (spent.performed, len(ledger_of(folder, aims[name])) or spent.performed),
+        }
+        for file, (told, found) in there.items():
+            if told > found:
+                at = folder / aims[name].file(file)
+                raise InvalidFile(path, f"it tells of {told} interactions, and {at} has {found}{_ANEW}")
+
+
+def _check_trained(folder: DomainFolder, recipe: Recipe) -> None:
+    """Refuse to go on from symbols that were learned in another regime, or have other bits."""
+    trained = folder.manifest().stages.get(OBJECTS.stage("train"))
+    network = regime_named(recipe.regime).model.with_bits(**recipe.bits)
+    asked = {"regime": recipe.regime, "object_bits": network.object_bits, "action_bits": network.action_bits}
+    usual = dict(zip(("object_bits", "action_bits"), PAPER_BITS, strict=True))
+    kept = {**asked, **usual, **trained.options} if trained else asked
+    for name, wanted in asked.items():
+        if kept[name] != wanted:
+            said = f"{folder / layout.MODEL} was trained with {name} = {kept[name]!r}, not {wanted!r}"
+            raise InvalidValue(f"{said}; use that again, or another folder.")
+
+
+def _check_begun(workshop: DomainFolder, shares: Round) -> None:
+    """Refuse to go on with a round that was begun for a larger budget."""
+    for name, there in explored_in(workshop).items():
+        if name in shares and there > shares[name].explored:
+            raise InvalidValue(
+                f"{workshop.path} has explored {there} interactions for a round of another budget, more than "
+                f"{shares[name].explored}; ask for that budget again, or remove {workshop.path}."
+            )
 
 
 def _grown(shares: Round, before: Round) -> Round:

@@ -1,6 +1,7 @@
 """One budget, spent in rounds: there is a domain after each, and interruptions change nothing."""
 
 import os
+import shutil
 import signal
 from dataclasses import replace
 
@@ -134,6 +135,7 @@ def test_networks_that_are_trained_at_a_time_are_the_same_whatever_happens_meanw
 ):
     assert spend(tmp_path / "one", 500) == 0
     folder = tmp_path / "two"
+    monkeypatch.setattr(rounds, "_SOON", -1.0)
     with monkeypatch.context() as patch:
         patch.setattr(rounds, "_trained", killed)
         assert spend(folder, 500, "--workers", 2) != 0
@@ -237,11 +239,56 @@ def test_what_cannot_be_spent_is_refused_and_so_is_a_damaged_record(tmp_path, ca
     assert "--interactions 100 are too few for 16 operators of places" in said  # and not first for objects
     said = refusal(capsys, "run", tmp_path / "new", "--interactions", 500, "--steps", 200, *RUN)
     assert "give one" in said
+    said = refusal(capsys, "run", tmp_path / "new", "--interactions", 150, "--relations", 60, *RUN)
+    assert "too few" in said
     assert not (tmp_path / "new").exists()
     assert neurosym("init", tmp_path / "new", "--world", "toy") == 0
     (tmp_path / "new" / layout.BUDGET).write_text('{"rounds": [{"": {"explored": -1}}]}')
     said = refusal(capsys, "run", tmp_path / "new", "--interactions", 500, *RUN)
     assert f"{layout.BUDGET} cannot be used" in said
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        (["--object-bits", 2], "was trained with object_bits = 1, not 2; use that again, or another folder"),
+        (["--regime", "default"], "was trained with regime = 'quick', not 'default'"),
+        (["--seed", 4], "was explored with seed = 3, not 4; use that again, or another folder"),
+    ],
+)
+def test_what_was_learned_otherwise_is_not_gone_on_with(alone, capsys, options, told):
+    before = contents(alone)
+    assert told in refusal(capsys, "run", alone, "--interactions", 5000, *RUN, *FOR_OBJECTS, *options)
+    assert contents(alone) == before
+    assert "give --interactions in place of --steps" in refusal(capsys, "run", alone, "--steps", 500, *RUN)
+
+
+@pytest.mark.parametrize(
+    ("rounds_told", "told"),
+    [
+        ([{}], "its round 1 has no valid aims; remove it to begin with a first round"),
+        ([{"foo": rounds.Spent(60, 90, 90)}], "its round 1 has no valid aims"),
+        ([{"": rounds.Spent(61_000, 90, 90)}], "it tells of 61000 interactions, and "),
+        ([{"": rounds.Spent(60, 91_000, 90)}], "it tells of 91000 interactions, and "),
+    ],
+)
+def test_an_account_that_is_not_true_is_refused(alone, tmp_path, capsys, rounds_told, told):
+    folder = tmp_path / "damaged"
+    shutil.copytree(alone, folder)
+    (folder / layout.BUDGET).write_bytes(msgspec.json.encode({"rounds": rounds_told}))
+    said = refusal(capsys, "run", folder, "--interactions", 5000, *RUN, *FOR_OBJECTS)
+    assert f"{folder / layout.BUDGET} cannot be used: {told}" in said
+
+
+def test_a_round_that_is_not_done_is_gone_on_with_for_its_own_budget(alone, tmp_path, capsys, monkeypatch):
+    folder = tmp_path / "broken"
+    monkeypatch.setattr(Ledger, "perform", interrupted_in_call(2))
+    assert spend(folder, 350, *FOR_OBJECTS) != 0
+    capsys.readouterr()
+    said = refusal(capsys, "run", folder, "--interactions", 100, *RUN, *FOR_OBJECTS)
+    assert f"ask for that budget again, or remove {folder / layout.GROWING}" in said
+    assert spend(folder, 350, *FOR_OBJECTS) == 0
+    assert contents(folder) == contents(alone)
 
 
 def test_exploring_at_once_needs_no_budget_for_its_bits(tmp_path, capsys):
