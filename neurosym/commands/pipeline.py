@@ -7,6 +7,7 @@ it is worth most. So there is a domain to plan with after each round, and a bett
 
 from collections import Counter
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Annotated, Any, Optional
 
 from tyro.conf import arg
@@ -106,12 +107,10 @@ def run(
     if steps is not None and (folder / layout.BUDGET).exists():
         raise InvalidValue(f"{folder} grows in rounds; give --interactions in place of --steps.")
     operators = 2 ** (chosen.object_bits + chosen.action_bits), 2 ** (chosen.object_bits + PLACE_BITS[1])
-    if steps is None and not (folder / layout.WORLD).exists():  # as far as a name tells
-        takes = places != 0 and not is_factory(world or "")
-        asked = {layout.OBJECTS: True, layout.PLACES: takes, layout.RELATIONS: relations > 0}
-        names = [name for name, is_asked in asked.items() if is_asked]
-        least = dict(zip((layout.OBJECTS, layout.PLACES)[: 1 + takes], operators, strict=False))
-        rounds(interactions, names, least, {}, ACTED if world == SEEING else 0)
+    if not (folder / layout.WORLD).exists():  # so that it is not made for nothing
+        _check_relations(folder, places != 0 if steps is None else bool(places), relations > 0)
+        if steps is None:
+            _check_enough(interactions, world, places, relations, operators)
     domain = _begun(folder, world)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = explored_in(domain)[layout.OBJECTS] or None
@@ -127,6 +126,17 @@ def run(
     _conclude(domain, tried)
     say_next(f"neurosym plan {quoted(folder)} task-01 --planner bfs")
     return 0
+
+
+def _check_enough(
+    interactions: int | None, world: str | None, places: int | None, relations: int, operators: Sequence[int]
+) -> None:
+    """Refuse too few interactions for a new folder, as far as the name of its world tells."""
+    takes = places != 0 and not is_factory(world or "")
+    asked = {layout.OBJECTS: True, layout.PLACES: takes, layout.RELATIONS: relations > 0}
+    names = [name for name, is_asked in asked.items() if is_asked]
+    least = dict(zip((layout.OBJECTS, layout.PLACES)[: 1 + takes], operators, strict=False))
+    rounds(interactions, names, least, {}, ACTED if world == SEEING else 0)
 
 
 def _plan(
@@ -178,11 +188,15 @@ def _check_aims(folder: DomainFolder, world: World, places: bool, relations: boo
         TO_PLACES.check_takes(world)
     if relations:
         TO_OBJECTS.check_takes(world)
-        if not places and not (folder / layout.PLACE_OPERATORS).is_file():
-            raise InvalidValue(
-                "Relations are learned with what carries objects to places; give --places a number, "
-                "like 2000."
-            )
+        _check_relations(folder.path, places, relations)
+
+
+def _check_relations(folder: Path, places: bool, relations: bool) -> None:
+    """Refuse to learn relations where nothing is learned of places, nor was."""
+    if relations and not places and not (folder / layout.PLACE_OPERATORS).is_file():
+        raise InvalidValue(
+            "Relations are learned with what carries objects to places; give --places a number, like 2000."
+        )
 
 
 def _try_problem(folder: DomainFolder, number: int, seed: int) -> tuple[list[str], Run | None]:

@@ -241,6 +241,8 @@ def test_what_cannot_be_spent_is_refused_and_so_is_a_damaged_record(tmp_path, ca
     assert "give one" in said
     said = refusal(capsys, "run", tmp_path / "new", "--interactions", 150, "--relations", 60, *RUN)
     assert "too few" in said
+    said = refusal(capsys, "run", tmp_path / "new", "--relations", 60, *RUN, *FOR_OBJECTS)
+    assert "give --places a number" in said
     assert not (tmp_path / "new").exists()
     assert neurosym("init", tmp_path / "new", "--world", "toy") == 0
     (tmp_path / "new" / layout.BUDGET).write_text('{"rounds": [{"": {"explored": -1}}]}')
