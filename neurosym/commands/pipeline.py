@@ -133,9 +133,8 @@ def _check_enough(
 ) -> None:
     """Refuse too few interactions for a new folder, as far as the name of its world tells."""
     takes = places != 0 and not is_factory(world or "")
-    asked = {layout.OBJECTS: True, layout.PLACES: takes, layout.RELATIONS: relations > 0}
-    names = [name for name, is_asked in asked.items() if is_asked]
-    least = dict(zip((layout.OBJECTS, layout.PLACES)[: 1 + takes], operators, strict=False))
+    names = [layout.OBJECTS, *[layout.PLACES] * takes, *[layout.RELATIONS] * (relations > 0)]
+    least = dict(zip((layout.OBJECTS, layout.PLACES), operators, strict=True))
     rounds(interactions, names, least, {}, ACTED if world == SEEING else 0)
 
 

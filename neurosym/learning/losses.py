@@ -10,7 +10,6 @@ import torch
 from torch import Tensor
 from torch.nn import functional
 
-from neurosym import choices
 from neurosym.checks import Float, Int
 from neurosym.data.interactions import Interactions
 from neurosym.data.origin import REQUIRED, Dimensions, mirrors_of, strategy_of
@@ -144,7 +143,7 @@ def reproducible(seed: int) -> Iterator[torch.Generator]:
     Args:
         seed: Where the draws start. The caller's random state is left as it was.
     """
-    with choices.one_thread(), one_thread(), torch.random.fork_rng(devices=[]):
+    with one_thread(), torch.random.fork_rng(devices=[]):
         yield torch.manual_seed(seed)
 
 

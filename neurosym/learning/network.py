@@ -12,6 +12,7 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
+from neurosym import choices
 from neurosym.checks import Float, check_array
 from neurosym.data.archives import read_tensors, write_tensors
 from neurosym.data.origin import Dimensions
@@ -118,7 +119,8 @@ def one_thread() -> Iterator[None]:
     threads = torch.get_num_threads()
     torch.set_num_threads(1)
     try:
-        yield
+        with choices.one_thread():  # of numpy
+            yield
     finally:
         torch.set_num_threads(threads)
 

@@ -268,8 +268,8 @@ def test_what_was_learned_otherwise_is_not_gone_on_with(alone, capsys, options, 
 @pytest.mark.parametrize(
     ("rounds_told", "told"),
     [
-        ([{}], "its round 1 has no valid aims; remove it to begin with a first round"),
-        ([{"foo": rounds.Spent(60, 90, 90)}], "its round 1 has no valid aims"),
+        ([{}], "Expected `object` of length >= 1 - at `$.rounds[0]`; remove it to begin with a first round"),
+        ([{"foo": rounds.Spent(60, 90, 90)}], "Expected `str` matching regex"),
         ([{"": rounds.Spent(61_000, 90, 90)}], "it tells of 61000 interactions, and "),
         ([{"": rounds.Spent(60, 91_000, 90)}], "it tells of 91000 interactions, and "),
     ],

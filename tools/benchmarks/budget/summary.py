@@ -130,7 +130,10 @@ def _aims(summary: Mapping[str, Any]) -> list[list[str]]:
         gain = "single tasks followed blindly after 2,000, beside stages"
         rows.append([gain, f"+{100 * _MUST_GAIN:.0f} points", f"{100 * (one - stages):+.0f} points"])
     soon = sum(count <= _SIX_WITHIN for count in summary["six_kinds"].get("one-budget", ()))
-    seeds = f"{soon} of {summary['seeds']} seeds"
+    looked = sum(
+        name.startswith("one-budget-") and name.endswith(f"-{_SIX_WITHIN}") for name in summary["learned"]
+    )
+    seeds = f"{soon} of {summary['seeds']} seeds; {looked} were looked at then"
     rows.append([f"all six kinds of primitive within {_SIX_WITHIN:,}", f"{_MUST_SIX} of 5 seeds", seeds])
     return rows
 
