@@ -31,6 +31,8 @@ StrategyName = Literal["disagreement", "entropy", "curiosity", "random", "active
 """A way to explore; see `strategies`."""
 DEFAULT_STRATEGY: StrategyName = "disagreement"
 DEFAULT_PLANNER = "fast-downward"
+ENGINES = ("pybullet", "mujoco")
+"""What can simulate the tabletop, the default first."""
 TaskKind = Literal["anywhere", "swap", "row", "crowded"]  # what a task asks for; see `draw_task`
 RelationTask = Literal["tower", "boxes", "unstack", "exchange"]
 """What a task of relations asks for; see `draw_relation_task`."""

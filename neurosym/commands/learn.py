@@ -61,6 +61,11 @@ ActionBits = Annotated[
     ),
 ]
 
+Engine = Annotated[
+    Optional[Literal["pybullet", "mujoco"]],
+    arg(help="What simulates a new tabletop or camera: pybullet (default), or mujoco (docs/world.md)."),
+]
+
 
 def init(
     folder: Folder,
@@ -78,6 +83,7 @@ def init(
             help="A TOML file that says which columns are what, if names do not, and what axes are.",
         ),
     ] = None,
+    engine: Engine = None,
 ) -> int:
     """Make a new domain folder with a `world.toml` that holds every option of its world.
 
@@ -86,13 +92,15 @@ def init(
     if columns and not data:
         raise InvalidValue("--columns says what the columns of --data are; give both.")
     if data:
-        if world != "tabletop":
-            raise InvalidValue("--data is a table of which there is no world; leave out --world.")
+        if world != "tabletop" or engine:
+            raise InvalidValue(
+                "--data is a table of which there is no world; leave out --world and --engine."
+            )
         _take_data(folder, data, columns)
         say_next(f"neurosym check {quoted(folder)}")
         return 0
     if not (world == "tabletop" and _write_own_axes(folder)):
-        make_domain_folder(folder, world)
+        make_domain_folder(folder, world, engine)
     from neurosym.worlds.world_file import sees
 
     command = "train" if (folder / layout.INTERACTIONS).is_file() else "explore"
@@ -148,8 +156,8 @@ def _write_own_axes(folder: Path) -> bool:
     return True
 
 
-def make_domain_folder(folder: Path, world: str) -> None:
-    """Make a domain folder with every option of its world.
+def make_domain_folder(folder: Path, world: str, engine: str | None = None) -> None:
+    """Make a domain folder with every option of its world, and the engine that simulates it if it is named.
 
     Raises:
         InvalidValue: If it has a world already, or cannot be a folder.
@@ -159,7 +167,7 @@ def make_domain_folder(folder: Path, world: str) -> None:
 
     if folder.exists() and not folder.is_dir():
         raise InvalidValue(f"{folder} is not a folder; name another.")
-    text = default_text(world, folder)
+    text = default_text(world, folder, engine)
     make_folder(folder)
     if not write_new(folder / layout.WORLD, text):
         said = f"{folder / layout.WORLD} exists already; change it by hand, or name another folder."

@@ -12,11 +12,12 @@ from typing import Annotated, Any, Optional
 
 from tyro.conf import arg
 
-from neurosym.choices import ACTED, BUDGET, DEFAULT_PLANNER, DEFAULT_STRATEGY, is_factory
+from neurosym.choices import ACTED, BUDGET, DEFAULT_PLANNER, DEFAULT_STRATEGY, ENGINES, is_factory
 from neurosym.commands.arguments import CPUS, Folder, Seed, Workers, opened
 from neurosym.commands.learn import (
     ActionBits,
     Choice,
+    Engine,
     ObjectBits,
     RegimeName,
     Relations,
@@ -94,6 +95,7 @@ def run(
         ),
     ] = None,
     relations: Relations = 0,
+    engine: Engine = None,
 ) -> int:
     """Go the whole way: explore, train, distil, compile, draw problems, plan and execute.
 
@@ -111,7 +113,7 @@ def run(
         _check_relations(folder, places != 0 if steps is None else bool(places), relations > 0)
         if steps is None:
             _check_enough(interactions, world, places, relations, operators)
-    domain = _begun(folder, world)
+    domain = _begun(folder, world, engine)
     if steps is None and interactions is None and not (domain / layout.BUDGET).exists():
         steps = explored_in(domain)[layout.OBJECTS] or None
     known = read_world(domain.require(layout.WORLD))()
@@ -172,12 +174,15 @@ def _seen_by(folder: DomainFolder) -> int:
     return ACTED if is_to_see else acted_in(folder)
 
 
-def _begun(folder: Folder, world: str | None) -> DomainFolder:
+def _begun(folder: Folder, world: str | None, engine: str | None) -> DomainFolder:
     """Return the domain folder, which is made if it is not there; or refuse it."""
     if not (folder / layout.WORLD).exists():
-        make_domain_folder(folder, world or "tabletop")
-    elif world and (found := asked_of(read_world(folder / layout.WORLD))[0]) != world:
-        raise InvalidValue(f"{folder} is of the world {found!r}, not {world!r}; name another folder.")
+        make_domain_folder(folder, world or "tabletop", engine)
+    name, options = asked_of(read_world(folder / layout.WORLD))
+    if world and name != world:
+        raise InvalidValue(f"{folder} is of the world {name!r}, not {world!r}; name another folder.")
+    if engine and (found := options.get("engine", ENGINES[0])) != engine:
+        raise InvalidValue(f"{folder} is simulated by {found}, not {engine}; name another folder.")
     return opened(folder)
 
 

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
+from importlib.util import find_spec
 from itertools import product
 from pathlib import Path
 from threading import Lock
@@ -17,8 +18,9 @@ from xml.etree import ElementTree
 import numpy as np
 
 from neurosym.checks import Float
+from neurosym.choices import ENGINES
 from neurosym.contract import ObjectLimits
-from neurosym.errors import InvalidArm, InvalidFile, InvalidValue, UnknownChoice
+from neurosym.errors import NAME, InvalidArm, InvalidFile, InvalidValue, UnknownChoice
 from neurosym.files import read_text
 from neurosym.sim.shapes import FEATURE_NAMES, LEARNED_SHAPES, SHAPES, UNSEEN
 from neurosym.world import Table
@@ -96,6 +98,7 @@ class TabletopConfig:
         lift_height: How far the hand rises after the last waypoint [m].
         time_step: Step of the simulation [s].
         frame_every: Steps between two pictures, when pictures are asked for.
+        engine: What simulates: `pybullet`, or `mujoco`, which the extra of that name installs.
     """
 
     table_x: tuple[float, float] = (0.35, 0.95)
@@ -111,12 +114,14 @@ class TabletopConfig:
     lift_height: float = 0.20
     time_step: float = 1 / 240
     frame_every: int = 12
+    engine: str = ENGINES[0]
 
     def __post_init__(self) -> None:
         tables = {"table_x": self.table_x, "table_y": self.table_y}
         for name, (least, greatest) in {**tables, "size": self.size, "height": self.height}.items():
             if least > greatest or (least == greatest and name in tables):
                 raise InvalidValue(f"{name} = [{least}, {greatest}] is empty; put the smaller number first.")
+        _check_engine(self.engine)
         for name in (*_POSITIVE, *_NOT_NEGATIVE):
             value = getattr(self, name)
             if not np.min(value) >= 0 or (name in _POSITIVE and np.min(value) == 0):
@@ -158,6 +163,16 @@ class TabletopConfig:
     def table(self) -> Table:
         """The part of the table that objects must stay on."""
         return Table(self.table_x, self.table_y)
+
+
+def _check_engine(name: str) -> None:
+    if name not in ENGINES:
+        raise UnknownChoice("engine", name, ENGINES)
+    if name == "mujoco" and find_spec("mujoco") is None:
+        raise InvalidValue(
+            "engine = mujoco, and MuJoCo is not installed; install it with: pip install "
+            f"'{NAME}[mujoco]', or choose pybullet."
+        )
 
 
 # What the simulator needs to know of an arm and its hand. The UR10 is one; yours can be another.

@@ -66,6 +66,7 @@ class Interaction:
     ):
         self._simulation, self._arm, self._target = simulation, arm, target
         self._phase, self._peak, self._is_narrow = "start", -math.inf, False
+        self._every = range(len(simulation.bodies))
         self._lie = None if arm.wrist is None else orientations
         self._touched: set[int] = set()
         show = None if on_frame is None and on_pose is None else self._show
@@ -181,7 +182,7 @@ class Interaction:
         parts = hand_boxes(self._arm, np.array([half_opening]), self._robot.turn)  # (1, 3, 3) each
         least, greatest = (corners[0, :, :2] + point[:2] for corners in parts)
         heights = [0.0]
-        for low, high in map(self._simulation.client.getAABB, self._simulation.bodies):
+        for low, high in map(self._simulation.around, self._every):
             is_under = (least - CLEARANCE < high[:2]) & (low[:2] < greatest + CLEARANCE)
             heights += [high[2] + CLEARANCE - bottom for bottom in parts[0][0, is_under.all(1), 2]]
         return max(heights)
@@ -197,7 +198,7 @@ class Interaction:
     def _along_fingers(self, turn: float) -> tuple[float, float]:
         """Return from where to where the target reaches along the way in which a turned hand opens [m]."""
         if turn == 0.0:
-            low, high = self._simulation.client.getAABB(self._simulation.bodies[self._target])
+            low, high = self._simulation.around(self._target)
             return low[1], high[1]
         scene = self._simulation.observe()
         corners = _corners(scene.features[self._target]) @ rotation(scene.orientations[self._target]).T
@@ -254,7 +255,7 @@ class Interaction:
 
     def _heights(self) -> list[tuple[float, float]]:
         """Return from which height to which each object reaches [m]."""
-        boxes = (self._simulation.client.getAABB(body) for body in self._simulation.bodies)
+        boxes = map(self._simulation.around, self._every)
         return [(low[2], high[2]) for low, high in boxes]
 
     def _set_down(self, hanging: Sequence[int]) -> None:

@@ -13,16 +13,13 @@ import numpy as np
 from neurosym.checks import Bool, Float
 from neurosym.contract import CLEARANCE, FINGER_SPEED, PEAK_SPEED, way_seconds
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import Arm, pybullet
+from neurosym.sim.config import Arm
 from neurosym.sim.simulation import Simulation
 from neurosym.world import turned_by
 
 CLOSING_FORCE, HOLDING_FORCE = 10.0, 20.0
 OPENING_FORCE = 0.4
 """Force while opening [N]: too little to carry an object by spreading inside it."""
-FINGER_FRICTION = 0.9
-FINGER_TWISTING_FRICTION = 0.03
-"""Resistance of a soft fingertip to twisting [m]; without it, objects held by an edge swing and tilt."""
 STALL_ERROR = 0.005
 """A motion stops when the hand lags this far behind its path [m]."""
 LOWEST_TOOL_POINT = 0.013
@@ -78,42 +75,27 @@ class Robot:
         visible: bool = False,
         show: Callable[[], None] | None = None,
     ):
-        self._client = client = simulation.client
         self._simulation, self._arm, self._show = simulation, arm, show
         self._time_step = simulation.config.time_step
-        flags = pybullet.URDF_USE_INERTIA_FROM_FILE
-        flags |= 0 if visible else pybullet.URDF_IGNORE_VISUAL_SHAPES
-        self.body = body = client.loadURDF(arm.urdf, arm.base, useFixedBase=True, flags=flags)
-        for link in range(client.getNumJoints(body) if arm.mass_scale != 1.0 else 0):
-            info = client.getDynamicsInfo(body, link)
-            mass, inertia = info[0] * arm.mass_scale, [arm.mass_scale * axis for axis in info[2]]
-            client.changeDynamics(body, link, mass=mass, localInertiaDiagonal=inertia)
-        frictions = {"lateralFriction": FINGER_FRICTION, "spinningFriction": FINGER_TWISTING_FRICTION}
-        for finger in arm.fingers:
-            client.changeDynamics(body, finger, jointLowerLimit=0.0, **frictions)
-        left, right = arm.fingers
-        axis, middle = [0, 1, 0], [0, 0, 0]
-        gear = client.createConstraint(body, left, body, right, pybullet.JOINT_GEAR, axis, middle, middle)
-        client.changeConstraint(gear, gearRatio=-1, maxForce=200, erp=0.5)
+        self._joints = simulation.joints_of(arm, visible=visible)
+        self.body = self._joints.body
         self.is_open = True
         self.turn = 0.0  # how far the hand is turned about the vertical [rad]
 
     def place_at(self, point: Float[np.ndarray, "3"], half_opening: float) -> None:
         """Put the hand at a point [m] at once, motionless, pointing down, each finger so far out [m]."""
         positions = [*self._hold(point), half_opening, half_opening]
-        for joint, position in zip((*self._arm.joints, *self._arm.fingers), positions, strict=True):
-            self._client.resetJointState(self.body, joint, position, 0.0)
+        self._joints.put((*self._arm.joints, *self._arm.fingers), positions, [0.0] * len(positions))
         self.is_open = half_opening > 0
-        self._drive_fingers(half_opening, HOLDING_FORCE if self.is_open else CLOSING_FORCE)
+        self._joints.drive_fingers(half_opening, HOLDING_FORCE if self.is_open else CLOSING_FORCE)
 
     def tool_point(self) -> Float[np.ndarray, "3"]:
         """Return where the tool point is in the world [m]."""
-        state = self._client.getLinkState(self.body, self._arm.tool)
-        return np.array(state[4])
+        return self._joints.tool_point()
 
     def half_opening(self) -> float:
         """Return how far each finger stands from the middle [m]."""
-        return float(self._client.getJointState(self.body, self._arm.fingers[0])[0])
+        return self._joints.half_opening()
 
     def move_to(
         self,
@@ -144,10 +126,10 @@ class Robot:
                 tick += free
                 end = self._drives(path[:tick][-2:])[-1]
                 self._pass(free, self._arm.joints, end, between)
-                self._drive_arm(*end)
+                self._joints.drive_arm(*end)
                 continue
             drives = drives or self._drives(path, turns)
-            self._drive_arm(*drives[tick])
+            self._joints.drive_arm(*drives[tick])
             self._simulation.step()
             is_over = until is not None and until()
             is_due = tick % _CHECK_EVERY == 0
@@ -201,23 +183,18 @@ class Robot:
 
     def _pass(self, ticks: int, joints: Sequence[int], end: Drive, between: Sequence[Drive]) -> None:
         """Let time pass that is not simulated, until joints are at an end; those between are only shown."""
-
-        def put(angles: Sequence[float], speeds: Sequence[float]) -> None:
-            for joint, angle, speed in zip(joints, angles, speeds, strict=True):
-                self._client.resetJointState(self.body, joint, angle, speed)
-
         self._simulation.ticks += ticks - len(between)
         for drive in between:
-            put(*drive)
+            self._joints.put(joints, *drive)
             self._simulation.ticks += 1
             if self._show:
                 self._show()
-        put(*end)
+        self._joints.put(joints, *end)
 
     def _hold(self, point: Float[np.ndarray, "3"]) -> list[float]:
         """Stay at a point [m], and return the joint angles there [rad]."""
         angles: list[float] = self._angles(point[None], self.turn)[0].tolist()
-        self._drive_arm(angles, [0.0] * len(angles))
+        self._joints.drive_arm(angles, [0.0] * len(angles))
         return angles
 
     def _angles(
@@ -239,7 +216,7 @@ class Robot:
         widest = self._arm.half_opening
         half_opening = widest if half_opening is None else min(half_opening, widest)
         self._move_fingers(half_opening, OPENING_FORCE)
-        self._drive_fingers(self.half_opening(), HOLDING_FORCE)
+        self._joints.drive_fingers(self.half_opening(), HOLDING_FORCE)
         self.is_open = True
 
     def _move_fingers(self, target: float, force: float) -> None:
@@ -248,7 +225,7 @@ class Robot:
         They are put ahead as far as they come near nothing. Then at most the time of a full stroke and a
         little passes.
         """
-        self._drive_fingers(target, force)
+        self._joints.drive_fingers(target, force)
         start = self.half_opening()
         stride = math.copysign(FINGER_SPEED * self._time_step, target - start)
         way = np.arange(start, target, stride)
@@ -264,27 +241,6 @@ class Robot:
             if abs(now - target) < 2e-4 or still * self._time_step > 0.05:
                 return
             last = now
-
-    def _drive_arm(self, angles: Sequence[float], velocities: Sequence[float]) -> None:
-        self._client.setJointMotorControlArray(
-            self.body,
-            self._arm.joints,
-            pybullet.POSITION_CONTROL,
-            targetPositions=angles,
-            targetVelocities=velocities,
-            forces=self._arm.forces,
-        )
-
-    def _drive_fingers(self, half_opening: float, force: float) -> None:
-        for finger in self._arm.fingers:
-            self._client.setJointMotorControl2(
-                self.body,
-                finger,
-                pybullet.POSITION_CONTROL,
-                targetPosition=half_opening,
-                force=force,
-                maxVelocity=FINGER_SPEED,
-            )
 
 
 def _smooth(count: int) -> Float[np.ndarray, "T"]:

@@ -1,17 +1,20 @@
 """A fresh PyBullet simulation of one scene: table, objects, and what can be seen of them."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
 
 from neurosym.checks import Float
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import Client, TabletopConfig, pybullet
+from neurosym.sim.config import Arm, Client, TabletopConfig, pybullet
+from neurosym.sim.joints import BulletJoints, Joints
 from neurosym.sim.shapes import body_of, sample_objects
 from neurosym.world import Scene
 
 TABLE_FRICTION = 0.6
+OBJECT_TWISTING_FRICTION = 0.002
+"""Resistance of objects to twisting [m]."""
 ROLLING_FRICTION = 0.001
 """Of balls, that would else roll for ever."""
 REST_SPEED = 2e-3
@@ -32,12 +35,15 @@ class Simulation:
         self.client, self.config, self.features, self.unseen = client, config, scene.features, scene.unseen
         self.after_step: Callable[[], None] | None = None
         self.ticks = 0
-        self._reset()
-        self.table = self._make_table()
         usual = {"wall": config.wall, "mass": config.mass, "friction": config.friction}
         rows = zip(scene.features, scene.unseen.tolist(), strict=True)
         self._made = [body_of(features, unseen, **usual) for features, unseen in rows]
-        self.bodies = [self._make_object(scene, index) for index in range(len(scene))]
+        self.table, self.bodies = self._build(scene)
+
+    def _build(self, scene: Scene) -> tuple[int, list[int]]:
+        """Make the table and the objects, and return which bodies they are."""
+        self._reset()
+        return self._make_table(), [self._make_object(scene, index) for index in range(len(scene))]
 
     def _reset(self) -> None:
         self.client.resetSimulation()
@@ -47,10 +53,8 @@ class Simulation:
         self.client.setGravity(0, 0, -9.81)
 
     def _make_table(self) -> int:
-        c = self.config
-        half = (np.ptp(c.table_x) / 2 + 0.25, np.ptp(c.table_y) / 2 + 0.25, 0.02)
+        centre, half = table_box(self.config)
         shape = self.client.createCollisionShape(pybullet.GEOM_BOX, halfExtents=half)
-        centre = (sum(c.table_x) / 2, sum(c.table_y) / 2, -0.02)
         table = self.client.createMultiBody(0, shape, -1, centre)
         self.client.changeDynamics(table, -1, lateralFriction=TABLE_FRICTION)
         return int(table)
@@ -65,7 +69,7 @@ class Simulation:
             body,
             -1,
             lateralFriction=made.friction,
-            spinningFriction=0.002,
+            spinningFriction=OBJECT_TWISTING_FRICTION,
             rollingFriction=ROLLING_FRICTION if made.is_ball else 0.0,
         )
         return int(body)
@@ -83,9 +87,16 @@ class Simulation:
             ],
         }
 
+    def joints_of(self, arm: Arm, *, visible: bool) -> Joints:
+        """Load an arm, with its looks if it shall be visible, and return its joints."""
+        return BulletJoints(self.client, arm, visible=visible)
+
     def step(self) -> None:
         """Advance time by one step."""
         self.client.stepSimulation()
+        self._stepped()
+
+    def _stepped(self) -> None:
         self.ticks += 1
         if self.after_step is not None:
             self.after_step()
@@ -103,9 +114,14 @@ class Simulation:
     def is_quiet(self) -> bool:
         """Say whether every object is at rest."""
         velocities = map(self.client.getBaseVelocity, self.bodies)
+        return self._are_at_rest((*linear, *angular) for linear, angular in velocities)
+
+    @staticmethod
+    def _are_at_rest(velocities: Iterable[Sequence[float]]) -> bool:
+        """Say whether velocities, three linear [m/s] and three angular [rad/s], are small enough."""
         return all(
-            max(map(abs, linear)) <= REST_SPEED and max(map(abs, angular)) <= 10 * REST_SPEED
-            for linear, angular in velocities
+            max(map(abs, both[:3])) <= REST_SPEED and max(map(abs, both[3:])) <= 10 * REST_SPEED
+            for both in velocities
         )
 
     def observe(self) -> Scene:
@@ -133,18 +149,30 @@ class Simulation:
 
     def boxes(self) -> Float[np.ndarray, "B 2 3"]:
         """Return least and greatest corners of what is around each box that objects are built from [m]."""
-        found = []
-        for index, made in enumerate(self._made):
-            (position, orientation), (centres, halves) = self._pose(index), made.around
-            turned = np.array(pybullet.getMatrixFromQuaternion(orientation)).reshape(3, 3).T
-            middles, around = position + centres @ turned, halves @ np.abs(turned)
-            found.append(np.stack([middles - around, middles + around], axis=1))
-        return np.concatenate(found)
+        return np.concatenate([self.boxes_of(index) for index in range(len(self._made))])
+
+    def boxes_of(self, index: int) -> Float[np.ndarray, "B 2 3"]:
+        """Return least and greatest corners of what is around each box that an object is built from [m]."""
+        (position, orientation), (centres, halves) = self._pose(index), self._made[index].around
+        turned = np.array(pybullet.getMatrixFromQuaternion(orientation)).reshape(3, 3).T
+        middles, around = position + centres @ turned, halves @ np.abs(turned)
+        return np.stack([middles - around, middles + around], axis=1)
+
+    def around(self, index: int) -> tuple[Sequence[float], Sequence[float]]:
+        """Return least and greatest corner of a straight box around an object, as the engine has it [m]."""
+        low, high = self.client.getAABB(self.bodies[index])
+        return low, high
 
     def touched_by(self, body: int) -> set[int]:
         """Return the bodies that a body touches."""
         contacts = self.client.getContactPoints(body)
         return {contact[2] for contact in contacts} - {body}
+
+
+def table_box(config: TabletopConfig) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+    """Return the middle and the half sizes of the table, which is larger than where objects must stay [m]."""
+    x, y = config.table_x, config.table_y
+    return (sum(x) / 2, sum(y) / 2, -0.02), (float(np.ptp(x)) / 2 + 0.25, float(np.ptp(y)) / 2 + 0.25, 0.02)
 
 
 # Scenes drawn at random: objects of every shape and size, at rest and apart from one another

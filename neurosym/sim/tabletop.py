@@ -98,7 +98,7 @@ class Tabletop:
                 "larger problems are symbolic only."
             )
         config = self.config if self.wanted_pictures is None else replace(self.config, frame_every=1)
-        simulation = Simulation(self.client(), config, scene)
+        simulation = self._simulated(config, scene, watched=on_frame is not None or self.on_pose is not None)
         try:
             camera = Camera(simulation, ghosts, self.wanted_pictures, self.painter) if on_frame else None
             interaction = Interaction(
@@ -109,6 +109,14 @@ class Tabletop:
             if self.client().isConnected():
                 raise
             raise InvalidValue("The window was closed before the motion ended.") from error
+
+    def _simulated(self, config: TabletopConfig, scene: Scene, *, watched: bool) -> Simulation:
+        """Return a scene in the engine that the options name."""
+        if config.engine == "pybullet":
+            return Simulation(self.client(), config, scene)
+        from neurosym.sim.mujoco_engine import MujocoSimulation
+
+        return MujocoSimulation(self.client(), config, scene, self.arm, watched=watched)
 
     def try_out(self) -> None:
         """Lift a plain box once (see `check_world`).

@@ -16,10 +16,10 @@ from typing import Any
 import msgspec
 import tomli_w
 
-from neurosym.choices import is_factory
+from neurosym.choices import ENGINES, is_factory
 from neurosym.contract import ObjectLimits
 from neurosym.data.axes import Axis, as_tables, axes_in
-from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, blaming, quoted, shortened
+from neurosym.errors import InvalidFile, InvalidValue, UnknownChoice, blaming, quoted, shortened, version_of
 from neurosym.files import LARGEST_WHOLE, digest, read_toml
 from neurosym.world import World
 from neurosym.worlds.own_world import OwnFactory, describe_apart, make_own_world
@@ -31,6 +31,9 @@ WORLDS = {
     "toy-relations": ("neurosym.worlds.toy:ToyConfig", "neurosym.worlds.toy_relations:ToyRelations"),
 }
 """The worlds that can be named: what their options make, without a simulator, and what that makes."""
+
+SIMULATED = ("tabletop", "camera")
+"""Those whose physics an engine of choice simulates."""
 
 _WITH_IMAGES = "neurosym.worlds.image_world:ImageWorld"
 
@@ -232,24 +235,31 @@ def origin_of(factory: "partial[World] | OwnFactory") -> dict[str, Any]:
     if is_factory(name):
         plain = json.loads(json.dumps(options, default=str))  # TOML has dates, JSON has not
         return {"world": name, "world_options": plain, **known}
-    return {"world_options": asdict(_configured(name, options)), **known}
+    given = asdict(_configured(name, options))
+    if (engine := given.pop("engine", ENGINES[0])) != ENGINES[0]:  # data older than the choice name none
+        given["engine"] = f"{engine} {version_of(f'{engine}-core')}"
+    return {"world_options": given, **known}
 
 
-def default_text(name: str, folder: Path) -> str:
+def default_text(name: str, folder: Path, engine: str | None = None) -> str:
     """Return the text of a `world.toml` with every option of a world at its default.
 
     Args:
         name: One of `WORLDS`, or `module:factory`.
         folder: The domain folder that it is for.
+        engine: What simulates it, if not the default.
 
     Raises:
         UnknownChoice: If there is no such world.
+        InvalidValue: If nothing simulates it, or that engine is not installed.
         InvalidWorld: If somebody's own world is no world.
     """
+    if engine and name not in SIMULATED:
+        raise InvalidValue(f"The world {shortened(name)} has no --engine; {' and '.join(SIMULATED)} have.")
     if is_factory(name):
         remark, options = "It is made by code of yours: factory(**options).", describe_apart(name, folder)
     else:
         remark = "Lengths in metres, times in seconds."
-        options = asdict(_configured(name, {}))
+        options = asdict(_configured(name, {"engine": engine} if engine else {}))
     text = tomli_w.dumps({"world": name, "options": options})
     return f"# The world of this domain folder. {remark}\n{text}"

@@ -29,7 +29,7 @@ from neurosym.stages.folder import DomainFolder
 from neurosym.stages.learning import AIMS, distill_stage, explore_stage, ledger_of, train_stage
 from neurosym.stages.rounds import explored_in, perform
 from tools.benchmarks import options
-from tools.benchmarks.budget import codes, heights, interaction
+from tools.benchmarks.budget import codes, engines, heights, interaction
 from tools.benchmarks.budget.curve import draw, draw_curiosity
 from tools.benchmarks.budget.summary import page, summarise
 from tools.benchmarks.budget.ways import STAGES, TOWERS, WAYS, Cell, domain_name, left_out
@@ -65,12 +65,15 @@ _TURNS = (
     ((8000,), ("with-relations",), 0),
     ((2000, 6000), _PARTS, 0),
     ((4000, 8000), _CURVE, 0),
-    ((2000, 8000), _CURVE, 2),
+    ((2000,), _CURVE, 2),
+    ((4000,), ("one-budget", "random"), 2),
+    ((8000,), _CURVE, 2),
     ((16_000,), ("one-budget", "random", "entropy"), 0),
+    ((6000,), ("mujoco",), 0),
 )
 """After how many interactions what was learned is tried, which ways, with how many seeds more than usual."""
 _HEIGHTS_AFTER = 5  # turns, it is asked when curiosity pays
-_TIMED = {"default": (), "without_places": ("--places", "0")}
+_TIMED = {"default": (), "without_places": ("--places", "0"), "mujoco": ("--engine", "mujoco")}
 
 
 def main(
@@ -91,6 +94,7 @@ def main(
         evaluation.write(summary, page(summary))
 
     evaluation.perform({"random-actions": partial(codes.test, work)}, "random actions")
+    evaluation.perform({engines.JOB: engines.compare}, "both engines")
     drawing, widening = heights.jobs(work, seeds)
     for number, (points, ways, more) in enumerate(_TURNS[:turns]):
         if number == _HEIGHTS_AFTER:
@@ -152,13 +156,14 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
     """Go on with a run until so many interactions, and keep what it takes to try it; say what that took.
 
     It goes through all checkpoints, though they are not asked for; so it is the same run where its folder is
-    gone, as on another machine.
+    gone, as on another machine, or has grown beyond.
     """
     begin, known = cpu_seconds(), WAYS[way]
     folder = work / f"{way}-{seed}-{'little' if total < _LITTLE else 'run'}"
     chosen: dict[str, Any] = {"seed": seed, "workers": 1, "problems": 0, "places": 0, **known.options}
-    if way == STAGES:
+    if way == STAGES or ((folder / layout.BUDGET).exists() and _performed(folder) > total):
         shutil.rmtree(folder, ignore_errors=True)
+    if way == STAGES:
         _learn_in_stages(folder, seed, total)
     else:
         before = [point for point in sorted(known.points) if _LITTLE <= point < total]
@@ -171,17 +176,22 @@ def learn(work: Path, way: str, seed: int, total: int) -> dict[str, Any]:
         if (folder / name).exists():
             (copy / name).parent.mkdir(exist_ok=True, parents=True)
             shutil.copy(folder / name, copy / name)
-    domain, explored = DomainFolder(folder), explored_in(DomainFolder(folder))
     pairs = symbols.measure(copy, NEW_PAIRS + seed, workers=1) if "relations" in known.options else None
     return {
         "cpu": cpu_seconds() - begin,
-        "interactions": explored.total() + sum(len(ledger_of(domain, aim)) for aim in AIMS),
-        "explored": explored,
+        "interactions": _performed(folder),
+        "explored": explored_in(DomainFolder(folder)),
         "moved": float(heights.moved(Interactions.load(folder / layout.INTERACTIONS)).mean()),
         "kinds": measures.kinds(copy) or [],
         "r2": read_json(copy / layout.TRAINING, TrainingReport).r2_through_codes,
         "pairs": pairs,
     }
+
+
+def _performed(folder: Path) -> int:
+    """Count all interactions of a domain folder, whatever they were for."""
+    domain = DomainFolder(folder)
+    return explored_in(domain).total() + sum(len(ledger_of(domain, aim)) for aim in AIMS)
 
 
 def _learn_in_stages(folder: Path, seed: int, total: int) -> None:
@@ -218,6 +228,7 @@ def _tasks(work: Path, way: str, seed: int, total: int, scale: float, learned: M
 
 def _try(folder: Path, cell: Cell, seed: int, block: Sequence[int]) -> list[Any]:
     """Try tasks, blindly and with replanning."""
+    folder = engines.moved_over(folder, cell.engine) if cell.engine else folder
     bench, first = bench_of(folder), FIRST_TASK + 1000 * seed
     drawn = (
         far(bench, cell.objects, first + number, graspable=True, tolerance=cell.tolerance)

@@ -1,4 +1,4 @@
-"""How much CPU an interaction takes beside that of an earlier version, and where what it moves ends."""
+"""How much CPU an interaction takes beside that of an earlier version and in MuJoCo, and where things end."""
 
 import io
 import json
@@ -17,9 +17,9 @@ BEFORE = "708e746f"
 _INTERACTIONS, _BLOCK, _SEED = 300, 10, 4545
 _CHILD = """
 import sys, time, json
-from neurosym.sim.tabletop import Tabletop
+from neurosym.sim.tabletop import Tabletop, TabletopConfig
 from tools.benchmarks.world.measures import random_tasks
-world = Tabletop()
+world = Tabletop(TabletopConfig({options}))
 tasks = random_tasks({count}, {seed}, world=world)
 world.interact(tasks[0].scene, tasks[0].action, 0)
 for line in sys.stdin:
@@ -30,7 +30,7 @@ for line in sys.stdin:
 
 
 def compare(work: Path) -> dict[str, Any]:
-    """Perform the same random actions in both versions, some at a time in turn."""
+    """Perform the same random actions in both versions, and in MuJoCo, some at a time in turn."""
     former = work / "former"
     former.mkdir(exist_ok=True, parents=True)
     packed = subprocess.run(
@@ -38,8 +38,8 @@ def compare(work: Path) -> dict[str, Any]:
     )
     with tarfile.open(fileobj=io.BytesIO(packed.stdout)) as archive:
         archive.extractall(former, filter="data")
-    children = [_child(ROOT), _child(former)]
-    seconds, ends = [0.0, 0.0], ([], [])  # type: tuple[list[Any], list[Any]]
+    children = [_child(ROOT), _child(former), _child(ROOT, 'engine="mujoco"')]
+    seconds, ends = [0.0] * 3, ([], [], [])  # type: tuple[list[float], tuple[list[Any], ...]]
     for first in range(0, _INTERACTIONS, _BLOCK):
         for number, child in enumerate(children):
             assert child.stdin, "a pipe"
@@ -51,9 +51,10 @@ def compare(work: Path) -> dict[str, Any]:
             ends[number].extend(found)
     for child in children:
         child.communicate()
-    apart = [math.dist(one, other) for one, other in zip(*ends, strict=True)]
+    apart = [math.dist(one, other) for one, other in zip(*ends[:2], strict=True)]
     return {
         "ratio": seconds[0] / seconds[1],
+        "mujoco": seconds[2] / seconds[0],
         "ms": [1000 * one / _INTERACTIONS for one in seconds],
         "ends_apart": {
             f"{1000 * most:g} mm": sum(one > most for one in apart) / len(apart)
@@ -64,8 +65,8 @@ def compare(work: Path) -> dict[str, Any]:
     }
 
 
-def _child(folder: Path) -> subprocess.Popen[str]:
-    code = _CHILD.format(count=_INTERACTIONS, seed=_SEED, block=_BLOCK)
+def _child(folder: Path, options: str = "") -> subprocess.Popen[str]:
+    code = _CHILD.format(count=_INTERACTIONS, seed=_SEED, block=_BLOCK, options=options)
     environment = {**os.environ, "PYTHONPATH": str(folder.absolute()), "OMP_NUM_THREADS": "1"}
     pipes: dict[str, Any] = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
     return subprocess.Popen([sys.executable, "-c", code], cwd=folder, env=environment, text=True, **pipes)

@@ -12,12 +12,13 @@ from neurosym.stages.learning import Held
 
 
 class Cell(NamedTuple):
-    """What is tried: tasks of a size, within a tolerance [m]."""
+    """What is tried: tasks of a size, within a tolerance [m], and in which engine if another one taught."""
 
     name: str
     objects: int
     count: int
     tolerance: float = 0.05
+    engine: str = ""
 
 
 @dataclass(frozen=True)
@@ -44,9 +45,13 @@ _FAR = tuple(Cell(f"far-{n}", n, 20) for n in FAR)
 _TOWERS = (Cell(TOWERS, 3, 20),)
 _CURVE = {1000: _DRAWN, 2000: _DRAWN + _PRECISE, 4000: _DRAWN, 8000: _DRAWN + _PRECISE, 16_000: _DRAWN}
 _MIDDLE = {2000: _DRAWN, 6000: _DRAWN}
+_IN_MUJOCO, _IN_PYBULLET = (
+    tuple(Cell(f"{engine}-{name}", n, count, near, engine) for name, n, count, near, _ in _DRAWN)
+    for engine in ("mujoco", "pybullet")
+)
 WAYS: Mapping[str, Way] = {
     "one-budget": Way(
-        "in rounds, what explores is curious by disagreement", _CURVE | {6000: _DRAWN + _PRECISE}
+        "in rounds, what explores is curious by disagreement", _CURVE | {6000: _DRAWN + _PRECISE + _IN_MUJOCO}
     ),
     "random": Way("what explores is random", _CURVE, {"strategy": "random"}),
     "entropy": Way("what explores is curious by entropy (Algorithm 1)", _CURVE, {"strategy": "entropy"}),
@@ -60,6 +65,7 @@ WAYS: Mapping[str, Way] = {
         {8000: _TOWERS},
         {"places": None, "relations": 1024},
     ),
+    "mujoco": Way("as one budget, simulated by MuJoCo", {6000: _DRAWN + _IN_PYBULLET}, {"engine": "mujoco"}),
     "no-teaching": Way(
         "the network learns from nothing that was performed to choose", _MIDDLE, {}, "teaching"
     ),
