@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from neurosym.errors import CannotWrite, NeurosymError, shortened
 
@@ -31,8 +31,9 @@ StrategyName = Literal["disagreement", "entropy", "curiosity", "random", "active
 """A way to explore; see `strategies`."""
 DEFAULT_STRATEGY: StrategyName = "disagreement"
 DEFAULT_PLANNER = "fast-downward"
-ENGINES = ("pybullet", "mujoco")
+EngineName = Literal["pybullet", "mujoco"]
 """What can simulate the tabletop, the default first."""
+ENGINES: tuple[EngineName, ...] = get_args(EngineName)
 TaskKind = Literal["anywhere", "swap", "row", "crowded"]  # what a task asks for; see `draw_task`
 RelationTask = Literal["tower", "boxes", "unstack", "exchange"]
 """What a task of relations asks for; see `draw_relation_task`."""

@@ -18,7 +18,7 @@ from typing import Annotated, Any, Optional
 import msgspec
 from tyro.conf import Positional, arg
 
-from neurosym.choices import DOMAINS, DrawnTask, copy_shipped, shipped_domain
+from neurosym.choices import DOMAINS, DrawnTask, EngineName, copy_shipped, shipped_domain
 from neurosym.commands.catalogue import ABOUT, SUMMARIES, Command, command_named, nearest
 from neurosym.errors import InvalidValue, UnknownChoice, quoted, shortened
 from neurosym.files import LARGEST_WHOLE, check_writable
@@ -53,6 +53,10 @@ Task = Annotated[
         help="What tasks ask for: goals anywhere, a swap, a row, or to clear a crowd; in a domain with "
         "relations also a tower, boxes, unstack or exchange; else as in the paper."
     ),
+]
+Engine = Annotated[
+    Optional[EngineName],
+    arg(help="What simulates a new tabletop or camera: pybullet (default), or mujoco (docs/world.md)."),
 ]
 Json = Annotated[bool, arg(help="Print the answer as JSON and nothing else, for programs.")]
 CPUS = os.cpu_count() or 1

@@ -7,7 +7,17 @@ from typing import Annotated, Any, Literal, Optional
 from tyro.conf import Positional, arg
 
 from neurosym.choices import ACTED, BUDGET, CELL, DEFAULT_STRATEGY, LOOKED, StrategyName
-from neurosym.commands.arguments import CPUS, Folder, Json, Seed, Workers, answer_in, opened, refuse_options
+from neurosym.commands.arguments import (
+    CPUS,
+    Engine,
+    Folder,
+    Json,
+    Seed,
+    Workers,
+    answer_in,
+    opened,
+    refuse_options,
+)
 from neurosym.errors import (
     InvalidData,
     InvalidFile,
@@ -59,11 +69,6 @@ ActionBits = Annotated[
         help="Bits of an action symbol, 1 to 8: up to 2^bits primitives. By default "
         f"{DEFAULT_BITS[1]}, and {PAPER_BITS[1]} with quick and paper."
     ),
-]
-
-Engine = Annotated[
-    Optional[Literal["pybullet", "mujoco"]],
-    arg(help="What simulates a new tabletop or camera: pybullet (default), or mujoco (docs/world.md)."),
 ]
 
 

@@ -13,11 +13,10 @@ from typing import Annotated, Any, Optional
 from tyro.conf import arg
 
 from neurosym.choices import ACTED, BUDGET, DEFAULT_PLANNER, DEFAULT_STRATEGY, ENGINES, is_factory
-from neurosym.commands.arguments import CPUS, Folder, Seed, Workers, opened
+from neurosym.commands.arguments import CPUS, Engine, Folder, Seed, Workers, opened
 from neurosym.commands.learn import (
     ActionBits,
     Choice,
-    Engine,
     ObjectBits,
     RegimeName,
     Relations,

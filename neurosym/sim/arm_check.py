@@ -3,7 +3,7 @@
 Each finger is set to what it will be told, and what that moves is looked at in the tool's frame.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, product
 
@@ -202,11 +202,18 @@ def _said(point: Float[np.ndarray, "3"]) -> str:
     return f"({', '.join(f'{number:.3f}' for number in point + 0.0)})"
 
 
-def check_lift(client: Client, config: TabletopConfig, arm: Arm) -> None:
+def check_lift(
+    simulated: Callable[[TabletopConfig, Scene], Simulation], config: TabletopConfig, arm: Arm
+) -> None:
     """Raise `InvalidArm` unless a hand closes on a plain box in the middle of the table and lifts it.
 
     The box has the usual mass and friction, so this judges the hand alone. If no object of the world fits
-    between the fingers, nothing is tried. Everything in the physics client is replaced.
+    between the fingers, nothing is tried.
+
+    Args:
+        simulated: Makes the simulation of a scene.
+        config: The world's options.
+        arm: Whose hand.
     """
     usual = TabletopConfig()
     config = replace(config, mass=usual.mass, friction=usual.friction)
@@ -222,7 +229,7 @@ def check_lift(client: Client, config: TabletopConfig, arm: Arm) -> None:
     )
     grasp = max(0.0, (height - arm.finger_length) / 2)  # no deeper than half the fingers are long
     lift = np.array([(0.0, 0.0, grasp, gripper) for gripper in (1.0, 0.0, 0.0)]).ravel()  # open, then close
-    outcome = Interaction(Simulation(client, config, box), arm, 0).perform(lift, put_down=True)
+    outcome = Interaction(simulated(config, box), arm, 0).perform(lift, put_down=True)
     x, y, z = (outcome.lifted.positions - outcome.start.positions)[0]
     if not (outcome.held and z >= _LEAST_LIFTED * config.lift_height):
         raise InvalidArm(

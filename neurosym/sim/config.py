@@ -73,6 +73,17 @@ def overheard(words: list[str]) -> Iterator[None]:
             words.append(file.read().decode(errors="replace"))
 
 
+# Frictions, the sliding ones without a unit; those of two that touch are combined by their products
+
+TABLE_FRICTION = 0.6
+OBJECT_TWISTING_FRICTION = 0.002
+"""Resistance of objects to twisting [m]."""
+ROLLING_FRICTION = 0.001
+"""Of balls, that would else roll for ever."""
+FINGER_FRICTION = 0.9
+FINGER_TWISTING_FRICTION = 0.03
+"""Resistance of a soft fingertip to twisting [m]; without it, objects held by an edge swing and tilt."""
+
 _POSITIVE = ("size", "height", "wall", "mass", "friction", "lift_height", "time_step", "frame_every")
 _NOT_NEGATIVE = ("spawn_margin", "spawn_gap")
 MOST_OBJECTS = 8
@@ -158,6 +169,13 @@ class TabletopConfig:
         types = {SHAPES[name] for name, share in self.shapes.items() if share > 0}
         sizes = self.size, self.size, self.height
         return ObjectLimits(FEATURE_NAMES, sizes, tuple(sorted(types)), MOST_OBJECTS, UNSEEN)
+
+    @property
+    def table_box(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+        """The middle and the half sizes of the table, which is larger than where objects must stay [m]."""
+        x, y = self.table_x, self.table_y
+        half = float(np.ptp(x)) / 2 + 0.25, float(np.ptp(y)) / 2 + 0.25, 0.02
+        return (sum(x) / 2, sum(y) / 2, -0.02), half
 
     @property
     def table(self) -> Table:

@@ -15,15 +15,19 @@ import numpy as np
 from neurosym.checks import Float
 from neurosym.contract import FINGER_SPEED
 from neurosym.errors import InvalidArm
-from neurosym.sim.config import Arm, Client, TabletopConfig, loaded
-from neurosym.sim.joints import FINGER_FRICTION, FINGER_TWISTING_FRICTION, Joints
-from neurosym.sim.simulation import (
+from neurosym.sim.config import (
+    FINGER_FRICTION,
+    FINGER_TWISTING_FRICTION,
     OBJECT_TWISTING_FRICTION,
     ROLLING_FRICTION,
     TABLE_FRICTION,
-    Simulation,
-    table_box,
+    Arm,
+    Client,
+    TabletopConfig,
+    loaded,
 )
+from neurosym.sim.joints import Joints
+from neurosym.sim.simulation import Simulation
 from neurosym.world import Scene
 
 _SOFTNESS = (0.01, 1.0)
@@ -38,6 +42,8 @@ _ARM_INERTIA, _FINGER_INERTIA = 0.2, 0.1
 """Inertia of gears [kg m2], [kg]. With less, contacts rattle, and a tenth of a millimetre decides."""
 _OTHER_FRICTION, _LEAST_FRICTION = (0.5, 0.0), 1e-4
 """Friction of what PyBullet is told none of, sliding and twisting; and the least that MuJoCo takes."""
+_ARM = -1
+"""The arm among the bodies, as long as PyBullet does not load it."""
 _Geom = tuple[str, float, float, float]  # its name, and its friction: sliding, twisting [m], rolling [m]
 
 
@@ -80,10 +86,10 @@ class MujocoSimulation(Simulation):
         kind, _, number = self.model.geom(geom).name.partition(" ")
         if kind == "object":
             return bodies[int(number.partition(" ")[0])]
-        return table if kind == "table" else _arm_after(table, bodies)
+        return table if kind == "table" else _ARM
 
     def _add_table(self, spec: mujoco.MjSpec) -> _Geom:
-        centre, half = table_box(self.config)
+        centre, half = self.config.table_box
         box = mujoco.mjtGeom.mjGEOM_BOX
         spec.worldbody.add_geom(name="table", type=box, size=half, pos=centre, contype=0, conaffinity=0)
         return "table", TABLE_FRICTION, 0.0, 0.0
@@ -108,7 +114,8 @@ class MujocoSimulation(Simulation):
     def joints_of(self, arm: Arm, *, visible: bool) -> Joints:
         """Return the joints of the arm, which PyBullet loads with its looks if it shall be visible."""
         shown = super().joints_of(arm, visible=visible) if self._watched else None
-        body = shown.body if shown else _arm_after(self.table, self.bodies)
+        body = shown.body if shown else _ARM
+        self._owners[self._owners == _ARM] = body
         self._joints = MujocoJoints(self.model, self.data, arm, body, shown)
         return self._joints
 
@@ -221,11 +228,6 @@ def _compiled(spec: mujoco.MjSpec, arm: Arm) -> mujoco.MjModel:
     except ValueError as error:
         said = " ".join(str(error).removeprefix("Error: ").split())
         raise InvalidArm(f"of {arm.urdf} cannot be simulated by MuJoCo, which says: {said}") from error
-
-
-def _arm_after(table: int, bodies: Sequence[int]) -> int:
-    """Return the number that PyBullet gives the arm, which is loaded last."""
-    return max((table, *bodies)) + 1
 
 
 def _rotated(turn: Sequence[float], point: Sequence[float]) -> Float[np.ndarray, "3"]:

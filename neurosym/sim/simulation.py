@@ -6,17 +6,23 @@ from typing import Any
 import numpy as np
 
 from neurosym.checks import Float
+from neurosym.contract import FINGER_SPEED
 from neurosym.errors import InvalidValue
-from neurosym.sim.config import Arm, Client, TabletopConfig, pybullet
-from neurosym.sim.joints import BulletJoints, Joints
+from neurosym.sim.config import (
+    FINGER_FRICTION,
+    FINGER_TWISTING_FRICTION,
+    OBJECT_TWISTING_FRICTION,
+    ROLLING_FRICTION,
+    TABLE_FRICTION,
+    Arm,
+    Client,
+    TabletopConfig,
+    pybullet,
+)
+from neurosym.sim.joints import Joints
 from neurosym.sim.shapes import body_of, sample_objects
 from neurosym.world import Scene
 
-TABLE_FRICTION = 0.6
-OBJECT_TWISTING_FRICTION = 0.002
-"""Resistance of objects to twisting [m]."""
-ROLLING_FRICTION = 0.001
-"""Of balls, that would else roll for ever."""
 REST_SPEED = 2e-3
 """Objects count as at rest below this speed [m/s]."""
 REST_TIME, SETTLE_LIMIT = 0.05, 2.0
@@ -53,7 +59,7 @@ class Simulation:
         self.client.setGravity(0, 0, -9.81)
 
     def _make_table(self) -> int:
-        centre, half = table_box(self.config)
+        centre, half = self.config.table_box
         shape = self.client.createCollisionShape(pybullet.GEOM_BOX, halfExtents=half)
         table = self.client.createMultiBody(0, shape, -1, centre)
         self.client.changeDynamics(table, -1, lateralFriction=TABLE_FRICTION)
@@ -89,7 +95,7 @@ class Simulation:
 
     def joints_of(self, arm: Arm, *, visible: bool) -> Joints:
         """Load an arm, with its looks if it shall be visible, and return its joints."""
-        return BulletJoints(self.client, arm, visible=visible)
+        return _BulletJoints(self.client, arm, visible=visible)
 
     def step(self) -> None:
         """Advance time by one step."""
@@ -169,10 +175,68 @@ class Simulation:
         return {contact[2] for contact in contacts} - {body}
 
 
-def table_box(config: TabletopConfig) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
-    """Return the middle and the half sizes of the table, which is larger than where objects must stay [m]."""
-    x, y = config.table_x, config.table_y
-    return (sum(x) / 2, sum(y) / 2, -0.02), (float(np.ptp(x)) / 2 + 0.25, float(np.ptp(y)) / 2 + 0.25, 0.02)
+class _BulletJoints:
+    """The joints in PyBullet.
+
+    Args:
+        client: Where the arm is loaded.
+        arm: What it is.
+        visible: Whether it is loaded with its looks, which takes longer.
+    """
+
+    def __init__(self, client: Client, arm: Arm, *, visible: bool = False):
+        self._client, self._arm = client, arm
+        flags = pybullet.URDF_USE_INERTIA_FROM_FILE
+        flags |= 0 if visible else pybullet.URDF_IGNORE_VISUAL_SHAPES
+        self.body = body = client.loadURDF(arm.urdf, arm.base, useFixedBase=True, flags=flags)
+        for link in range(client.getNumJoints(body) if arm.mass_scale != 1.0 else 0):
+            info = client.getDynamicsInfo(body, link)
+            mass, inertia = info[0] * arm.mass_scale, [arm.mass_scale * axis for axis in info[2]]
+            client.changeDynamics(body, link, mass=mass, localInertiaDiagonal=inertia)
+        frictions = {"lateralFriction": FINGER_FRICTION, "spinningFriction": FINGER_TWISTING_FRICTION}
+        for finger in arm.fingers:
+            client.changeDynamics(body, finger, jointLowerLimit=0.0, **frictions)
+        left, right = arm.fingers
+        axis, middle = [0, 1, 0], [0, 0, 0]
+        gear = client.createConstraint(body, left, body, right, pybullet.JOINT_GEAR, axis, middle, middle)
+        client.changeConstraint(gear, gearRatio=-1, maxForce=200, erp=0.5)
+
+    def put(self, joints: Sequence[int], positions: Sequence[float], speeds: Sequence[float]) -> None:
+        """Put some joints somewhere at once (see `Joints.put`)."""
+        for joint, position, speed in zip(joints, positions, speeds, strict=True):
+            self._client.resetJointState(self.body, joint, position, speed)
+
+    def tool_point(self) -> Float[np.ndarray, "3"]:
+        """Return where the tool point is in the world [m]."""
+        state = self._client.getLinkState(self.body, self._arm.tool)
+        return np.array(state[4])
+
+    def half_opening(self) -> float:
+        """Return how far each finger stands from the middle [m]."""
+        return float(self._client.getJointState(self.body, self._arm.fingers[0])[0])
+
+    def drive_arm(self, angles: Sequence[float], speeds: Sequence[float]) -> None:
+        """Drive the arm's joints (see `Joints.drive_arm`)."""
+        self._client.setJointMotorControlArray(
+            self.body,
+            self._arm.joints,
+            pybullet.POSITION_CONTROL,
+            targetPositions=angles,
+            targetVelocities=speeds,
+            forces=self._arm.forces,
+        )
+
+    def drive_fingers(self, half_opening: float, force: float) -> None:
+        """Drive each finger (see `Joints.drive_fingers`)."""
+        for finger in self._arm.fingers:
+            self._client.setJointMotorControl2(
+                self.body,
+                finger,
+                pybullet.POSITION_CONTROL,
+                targetPosition=half_opening,
+                force=force,
+                maxVelocity=FINGER_SPEED,
+            )
 
 
 # Scenes drawn at random: objects of every shape and size, at rest and apart from one another

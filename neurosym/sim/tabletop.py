@@ -12,7 +12,6 @@ from neurosym.errors import InvalidValue
 from neurosym.sim.arm_check import check_arm, check_lift
 from neurosym.sim.camera import Camera, links_at_rest, open_window, robot_parts
 from neurosym.sim.config import (
-    MOST_OBJECTS,
     Arm,
     Client,
     TabletopConfig,
@@ -92,9 +91,9 @@ class Tabletop:
             raise InvalidValue("An object of the scene has a size that is not greater than 0.")
         for unseen in scene.unseen.tolist():
             self.object_limits.check_unseen("An object of the scene", unseen)
-        if len(scene) > MOST_OBJECTS:
+        if (most := self.object_limits.most) and len(scene) > most:
             raise InvalidValue(
-                f"The scene has {len(scene)} objects; the simulator takes at most {MOST_OBJECTS}, "
+                f"The scene has {len(scene)} objects; the simulator takes at most {most}, "
                 "larger problems are symbolic only."
             )
         config = self.config if self.wanted_pictures is None else replace(self.config, frame_every=1)
@@ -110,7 +109,7 @@ class Tabletop:
                 raise
             raise InvalidValue("The window was closed before the motion ended.") from error
 
-    def _simulated(self, config: TabletopConfig, scene: Scene, *, watched: bool) -> Simulation:
+    def _simulated(self, config: TabletopConfig, scene: Scene, *, watched: bool = False) -> Simulation:
         """Return a scene in the engine that the options name."""
         if config.engine == "pybullet":
             return Simulation(self.client(), config, scene)
@@ -124,7 +123,7 @@ class Tabletop:
         Raises:
             InvalidArm: If the hand does not.
         """
-        check_lift(self.client(), self.config, self.arm)
+        check_lift(self._simulated, self.config, self.arm)
 
     def picture(self, scene: Scene, ghosts: Float[np.ndarray, "M 3"] | None = None) -> Frame:
         """Draw a scene without the arm (see `Pictured.picture`)."""

@@ -105,6 +105,7 @@ def refusal(urdf: str, **changes) -> str:
     return str(error.value)
 
 
+@pytest.mark.usefixtures("engine")
 def test_shipped_arm_and_a_hand_that_is_as_assumed_pass_and_it_lifts_a_box_whatever_mimics(written):
     check_arm(TabletopConfig(), UR10)
     joint, urdf = 'name="j-right" type="prismatic">', gantry()

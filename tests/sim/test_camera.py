@@ -14,6 +14,7 @@ from neurosym.sim.robot import UR10
 from neurosym.sim.tabletop import Tabletop
 from neurosym.world import DOT_COLOURS, Frame, Outcome
 
+pytestmark = pytest.mark.usefixtures("engine")
 PUSH = np.array([0, -0.05, 0.02, 0, 0, 0, 0.02, 0, 0, 0.05, 0.02, 0], dtype=float)
 CUBE, OPEN_BOX, PLANK, RING = (
     (0.1, 0.1, 0.06, 0.0),

@@ -10,6 +10,7 @@ from neurosym.world import OtherObject, Place, Scene
 from neurosym.worlds.toy import make_world
 from neurosym.worlds.workers import Task, perform_all
 
+pytestmark = pytest.mark.usefixtures("engine")
 MISS = np.array([0, 0, 0.025, CLOSED, 0, 0, 0.025, CLOSED, 0, 0, 0, CLOSED])
 CORNERS = [Place(0.37, -0.28), Place(0.93, 0.28)]
 BOX = (0.05, 0.05, 0.06, 0, 0.5, -0.1)

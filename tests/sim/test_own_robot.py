@@ -5,6 +5,7 @@ import re
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,10 +15,11 @@ from documents import python_blocks
 from standing import CARRY, boxes
 
 from neurosym.data.interactions import Interactions
-from neurosym.errors import InvalidValue
+from neurosym.errors import InvalidArm, InvalidValue
 from neurosym.sim.config import TOOL_DOWN, Arm, loaded, pybullet
 from neurosym.sim.numeric_inverse import NumericInverse
 from neurosym.sim.robot import UR10, joints_for
+from neurosym.sim.tabletop import Tabletop
 from neurosym.world import Place
 from neurosym.worlds import own_world
 
@@ -51,6 +53,12 @@ def test_panda_carries_a_box_to_a_place(panda):
     outcome = world.interact(boxes((0.05, 0.05, 0.08, 0, 0.5, 0.0)), CARRY, 0, reference=place)
     assert outcome.kind == "carried"
     assert np.linalg.norm(outcome.resting_effect) < 0.01, "relative to the place"
+
+
+def test_meshes_that_mujoco_does_not_find_are_told_of_in_one_sentence(panda):
+    world = Tabletop(replace(panda.TABLE, engine="mujoco"), "panda", arm=panda.PANDA)
+    with pytest.raises(InvalidArm, match=r"cannot be simulated by MuJoCo, which says: .*link0\.obj"):
+        world.interact(boxes((0.05, 0.05, 0.08, 0, 0.5, 0.0)), CARRY, 0)
 
 
 def assert_exact(arm: Arm, inverse, points: np.ndarray, within: float) -> None:
