@@ -45,7 +45,7 @@ def summarise(found: Found) -> dict[str, Any]:
     timed = {name.removeprefix("time-"): found[name] for name in found if name.startswith("time-")}
     return {
         "command": "make evaluate-budget",
-        "machine": machine("numpy", "pybullet", "torch", "up-fast-downward"),
+        "machine": machine("mujoco-core", "numpy", "pybullet", "torch", "up-fast-downward"),
         "interactions_for": {what: _first(shares, must) for what, must in MUST.items()},
         "run_minutes": {name: timed[name]["minutes"] for name in timed},
         "cpu_ratio": found.get("ratio", {}).get("ratio"),
