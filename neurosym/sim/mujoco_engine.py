@@ -32,8 +32,8 @@ from neurosym.world import Scene
 
 _SOFTNESS = (0.01, 1.0)
 """Time in which contacts push apart [s], and damping beside the critical one."""
-_REACTION = 10
-"""Steps in which a joint makes up for where it is; PyBullet's motors take as many."""
+_STEP, _REACTION = TabletopConfig().time_step, 10
+"""The usual step [s], and in how many a joint makes up for where it is, as motors of PyBullet do."""
 _GIVES_WAY = 0.015
 """How far a joint lags behind where its motor gives the arm's force [rad]; some more, and a motion stops."""
 _FINGER_STIFFNESS = 576.0
@@ -204,8 +204,7 @@ class MujocoJoints:
 
     def drive_arm(self, angles: Sequence[float], speeds: Sequence[float]) -> None:
         """Drive the arm's joints (see `Joints.drive_arm`)."""
-        ahead = _REACTION * self._model.opt.timestep
-        self._data.ctrl[: len(angles)] = np.asarray(angles) + ahead * np.asarray(speeds)
+        self._data.ctrl[: len(angles)] = np.asarray(angles) + _REACTION * _STEP * np.asarray(speeds)
 
     def drive_fingers(self, half_opening: float, force: float) -> None:
         """Drive each finger (see `Joints.drive_fingers`)."""
@@ -218,7 +217,7 @@ class MujocoJoints:
         self._is_read = False
         before, most = self._lead, FINGER_SPEED * seconds
         self._lead += min(max(self._goal - before, -most), most)
-        self._data.ctrl[self._fingers] = self._lead + _REACTION * (self._lead - before)
+        self._data.ctrl[self._fingers] = self._lead + _REACTION * (self._lead - before) * (_STEP / seconds)
 
 
 def _compiled(spec: mujoco.MjSpec, arm: Arm) -> mujoco.MjModel:
@@ -256,9 +255,9 @@ def _read(arm: Arm) -> tuple[mujoco.MjSpec, list[_Geom]]:
     spec.compiler.fusestatic = False
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone, spec.option.impratio = mujoco.mjtCone.mjCONE_ELLIPTIC, 10.0
-    (root,) = (body for body in spec.bodies if body.parent == spec.worldbody)
-    root.pos = np.add(root.pos, arm.base)
     for body in spec.bodies[1:]:
+        if body.parent == spec.worldbody:
+            body.pos = np.add(body.pos, arm.base)
         body.gravcomp = 1.0  # so that it does not sag
         body.mass, body.inertia = body.mass * arm.mass_scale, body.inertia * arm.mass_scale
     for joint, force in zip(arm.joints, arm.forces, strict=True):
@@ -284,7 +283,7 @@ def _read(arm: Arm) -> tuple[mujoco.MjSpec, list[_Geom]]:
 def _add_motor(spec: mujoco.MjSpec, joint: str, stiffness: float) -> mujoco.MjsActuator:
     """Add a motor that leads a joint where it shall be, and holds its speed."""
     motor = spec.add_actuator(name=joint, target=joint, trntype=mujoco.mjtTrn.mjTRN_JOINT)
-    damping = stiffness * _REACTION * TabletopConfig().time_step
+    damping = stiffness * _REACTION * _STEP
     motor.gaintype, motor.gainprm[0] = mujoco.mjtGain.mjGAIN_FIXED, stiffness
     motor.biastype, motor.biasprm[:3] = mujoco.mjtBias.mjBIAS_AFFINE, (0.0, -stiffness, -damping)
     return motor
