@@ -188,8 +188,7 @@ def _check_engine(name: str) -> None:
         raise UnknownChoice("engine", name, ENGINES)
     if name == "mujoco" and find_spec("mujoco") is None:
         raise InvalidValue(
-            "engine = mujoco, and MuJoCo is not installed; install it with: pip install "
-            f"'{NAME}[mujoco]', or choose pybullet."
+            f"engine = mujoco, and MuJoCo is not installed; install it with: pip install '{NAME}[mujoco]'."
         )
 
 

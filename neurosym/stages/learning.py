@@ -46,7 +46,7 @@ from neurosym.worlds.aims import (
     RelatedFactory,
 )
 from neurosym.worlds.workers import check_workers
-from neurosym.worlds.world_file import has_world, origin_of, read_axes, read_world
+from neurosym.worlds.world_file import changed_option, has_world, origin_of, read_axes, read_world
 
 if TYPE_CHECKING:
     from neurosym.learning.network import DirectModel
@@ -335,6 +335,11 @@ def check_steps(folder: DomainFolder, steps: int, aim: Aim = OBJECTS, **asked: o
         if (kept := found.origin.get(name)) != wanted:
             said = f"{path} was explored with {name} = {kept!r}, not {wanted!r}"
             raise InvalidValue(f"{said}; use that again, or another folder.")
+    world = folder.require(layout.WORLD)
+    if changed := changed_option(found.origin, origin_of(read_world(world))):
+        name, kept, wanted = changed
+        said = f"{path} was explored with {name} = {kept!r}, and {world} says {wanted!r}"
+        raise InvalidValue(f"{said}; set it back, or name another folder.")
 
 
 def distill_stage(

@@ -6,7 +6,7 @@ of which there is no world say `world = "none"`, and along which axes their effe
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, fields, is_dataclass
 from functools import partial
 from importlib import import_module
@@ -239,6 +239,18 @@ def origin_of(factory: "partial[World] | OwnFactory") -> dict[str, Any]:
     if (engine := given.pop("engine", ENGINES[0])) != ENGINES[0]:  # data older than the choice name none
         given["engine"] = f"{engine} {version_of(f'{engine}-core')}"
     return {"world_options": given, **known}
+
+
+def changed_option(origin: Mapping[str, Any], now: Mapping[str, Any]) -> tuple[str, Any, Any] | None:
+    """Name an option that two worlds of one name both have, and with other values; None if there is none.
+
+    Args:
+        origin: What identified the world when data were made (see `origin_of`).
+        now: What identifies it now.
+    """
+    kept, asked = ({"engine": ENGINES[0], **one.get("world_options", {})} for one in (origin, now))
+    differing = (name for name in kept if name in asked and kept[name] != asked[name])
+    return next(((name, kept[name], asked[name]) for name in differing), None)
 
 
 def default_text(name: str, folder: Path, engine: str | None = None) -> str:

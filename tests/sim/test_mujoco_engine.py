@@ -5,7 +5,7 @@ from functools import partial
 
 import numpy as np
 import pytest
-from command_line import neurosym, refusal
+from command_line import contents, neurosym, refusal
 from standing import CARRY, CLOSED, FAR, boxes
 
 from neurosym.choices import ENGINES
@@ -32,6 +32,22 @@ def test_a_new_folder_is_simulated_by_the_engine_that_is_named(tmp_path, capsys)
     capsys.readouterr()
     said = refusal(capsys, "run", tmp_path / "other", "--engine", "pybullet")
     assert "is simulated by mujoco, not pybullet; name another folder" in said
+
+
+def test_a_folder_whose_engine_was_changed_is_not_mixed(tmp_path, capsys):
+    assert neurosym("init", tmp_path, "--engine", "mujoco") == 0
+    little = ["--strategy", "random", "--workers", "1"]
+    assert neurosym("explore", tmp_path, "--steps", "8", *little) == 0
+    world = tmp_path / "world.toml"
+    world.write_text(world.read_text().replace('"mujoco"', '"pybullet"'))
+    before = contents(tmp_path)
+    capsys.readouterr()
+    for command in (["explore", tmp_path, "--steps", "16"], ["run", tmp_path, "--interactions", "1000"]):
+        said = refusal(capsys, *command, *little)
+        assert (
+            f"engine = 'mujoco {version_of('mujoco-core')}', and {world} says 'pybullet'; set it back" in said
+        )
+    assert contents(tmp_path) == before
 
 
 @pytest.mark.parametrize("command", ["init", "run"])

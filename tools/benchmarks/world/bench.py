@@ -57,11 +57,11 @@ def bench(interactions: int, growth: int, time_step: float) -> dict[str, Any]:
 
 
 PARTS = {
-    "stepping": ("stepSimulation",),
+    "stepping": ("step",),
     "building the scene": ("_reset", "_make_table", "_make_object", "loadURDF"),
     "inverse kinematics": ("joints_for",),
-    "motor commands": ("_drive_arm", "_drive_fingers"),
-    "looking": ("tool_point", "_is_quiet", "_watch", "half_opening", "touched_by", "observe"),
+    "motor commands": ("drive_arm", "drive_fingers"),
+    "looking": ("tool_point", "is_quiet", "half_opening", "touched_by", "observe"),
 }  # where the time of an interaction goes: functions by what they are for
 
 
