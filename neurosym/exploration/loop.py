@@ -236,7 +236,7 @@ class _Explorer:
             raise InvalidFile(path, "it does not say how many blocks there are, or with which options")
         for name in ("strategy", "seed", *sorted(options.keys() | self.origin.keys())):
             if (stored := options.get(name)) != (wanted := self.origin.get(name)):
-                if isinstance(stored, dict) and isinstance(wanted, dict):
+                if name == "world_options" and isinstance(stored, dict) and isinstance(wanted, dict):
                     name, stored, wanted = _differing(stored, wanted)
                 raise InvalidValue(
                     f"{path} was made with {name} = {stored!r}, not {wanted!r}; "

@@ -248,7 +248,8 @@ def changed_option(origin: Mapping[str, Any], now: Mapping[str, Any]) -> tuple[s
         origin: What identified the world when data were made (see `origin_of`).
         now: What identifies it now.
     """
-    kept, asked = ({"engine": ENGINES[0], **one.get("world_options", {})} for one in (origin, now))
+    options = (json.loads(json.dumps(one.get("world_options", {}))) for one in (origin, now))
+    kept, asked = ({"engine": ENGINES[0], **one} for one in options)
     differing = (name for name in kept if name in asked and kept[name] != asked[name])
     return next(((name, kept[name], asked[name]) for name in differing), None)
 
