@@ -2,7 +2,8 @@
 
 import pytest
 
-from tools.benchmarks.budget import codes, evaluate, heights, ways
+from neurosym.worlds.world_file import read_world
+from tools.benchmarks.budget import codes, engines, evaluate, heights, ways
 from tools.benchmarks.budget.summary import page, summarise
 
 LEARNED = {"cpu": 60.0, "interactions": 1990, "moved": 0.3, "kinds": ["push"], "r2": 0.5}
@@ -114,6 +115,41 @@ def test_run_goes_through_its_checkpoints_whether_they_are_asked_for_or_not(monk
         with pytest.raises(InterruptedError):
             evaluate.learn(tmp_path, "random", 4, 8000)
     assert asked == 2 * [2000, 4000, 8000]
+
+
+def test_a_run_that_has_grown_beyond_begins_anew(monkeypatch, tmp_path):
+    folder, there = tmp_path / "random-4-run", list[bool]()
+
+    def run(folder, **_):
+        there.append(folder.exists())
+        raise InterruptedError
+
+    monkeypatch.setattr(evaluate, "run", run)
+    monkeypatch.setattr(evaluate, "_performed", lambda _: 5000)
+    for total in (8000, 4000):
+        folder.mkdir(exist_ok=True)
+        (folder / evaluate.layout.BUDGET).touch()
+        with pytest.raises(InterruptedError):
+            evaluate.learn(tmp_path, "random", 4, total)
+    assert there == [True, False]
+
+
+def test_what_one_engine_taught_is_told_of_in_both(tmp_path):
+    domain = tmp_path / "mujoco-1-6000"
+    domain.mkdir()
+    (domain / "world.toml").write_text('world = "tabletop"\n[options]\nengine = "mujoco"\n')
+    world = read_world(engines.moved_over(domain, "pybullet") / "world.toml")
+    assert world().config.engine == "pybullet"
+    assert read_world(domain / "world.toml")().config.engine == "mujoco"
+    jobs = found({6000: 1.0}, "mujoco")
+    for name in jobs:
+        if "-pybullet-" in name:
+            jobs[name] = [trial(number < 15) for number in range(20)]
+    jobs[engines.JOB] = {"both": {"tasks": 500, "median": 6.3, "rms": 23.0, "r2": 0.66, "kind": 0.962}}
+    written = page(summarise(jobs))
+    assert "| mujoco | mujoco | single | 2 | 100 % (91 to 100) | 100 % (91 to 100) |" in written
+    assert "| mujoco | pybullet | single | 2 | 75 % (60 to 86) | 75 % (60 to 86) |" in written
+    assert "| both | 500 | 6.3 | 23 | 0.66 | 96 % |" in written
 
 
 @pytest.mark.parametrize("part", ["", "teaching", "prior", "weighing", "stopping"])
