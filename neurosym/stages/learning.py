@@ -335,8 +335,13 @@ def check_steps(folder: DomainFolder, steps: int, aim: Aim = OBJECTS, **asked: o
         if (kept := found.origin.get(name)) != wanted:
             said = f"{path} was explored with {name} = {kept!r}, not {wanted!r}"
             raise InvalidValue(f"{said}; use that again, or another folder.")
+    _check_world(folder, path, found.origin)
+
+
+def _check_world(folder: DomainFolder, path: Path, origin: Mapping[str, Any]) -> None:
+    """Refuse to go on with what was explored in the world as it was before an option was changed."""
     world = folder.require(layout.WORLD)
-    if changed := changed_option(found.origin, origin_of(read_world(world))):
+    if changed := changed_option(origin, origin_of(read_world(world))):
         name, kept, wanted = changed
         said = f"{path} was explored with {name} = {kept!r}, and {world} says {wanted!r}"
         raise InvalidValue(f"{said}; set it back, or name another folder.")
@@ -435,7 +440,10 @@ def explored_for(folder: DomainFolder, aim: Aim) -> Interactions:
     Raises:
         InvalidFile: If a file is damaged, or the eye or the world is not that of what was explored.
     """
-    found = Interactions.load(folder.require(aim.file(layout.INTERACTIONS)))
+    path = folder.require(aim.file(layout.INTERACTIONS))
+    found = Interactions.load(path)
+    if (folder / layout.BUDGET).exists():  # whose account would not be true any more
+        _check_world(folder, path, found.origin)
     for name in _taught(folder, aim) if is_explored(found.origin) else ():
         more = Interactions.load(folder / name)
         of = ("world", "world_options", "eye")

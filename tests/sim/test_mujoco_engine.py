@@ -40,10 +40,12 @@ def test_a_folder_whose_engine_was_changed_is_not_mixed(tmp_path, capsys):
     assert neurosym("explore", tmp_path, "--steps", "8", *little) == 0
     world = tmp_path / "world.toml"
     world.write_text(world.read_text().replace('"mujoco"', '"pybullet"'))
+    (tmp_path / "budget.json").write_text('{"rounds": []}')  # it grows in rounds
     before = contents(tmp_path)
     capsys.readouterr()
-    for command in (["explore", tmp_path, "--steps", "16"], ["run", tmp_path, "--interactions", "1000"]):
-        said = refusal(capsys, *command, *little)
+    exploring = ["explore", tmp_path, "--steps", "16", *little]
+    for command in (exploring, ["run", tmp_path, "--interactions", "1000", *little], ["train", tmp_path]):
+        said = refusal(capsys, *command)
         assert (
             f"engine = 'mujoco {version_of('mujoco-core')}', and {world} says 'pybullet'; set it back" in said
         )
