@@ -8,7 +8,7 @@ too.
 """
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
@@ -26,6 +26,7 @@ from neurosym.files import at_once
 from neurosym.learning.training_config import EXPLORING, ModelConfig, check_positive
 from neurosym.world import EFFECT_AXES, Outcome, World, WorldFactory, unshown_of
 from neurosym.worlds.workers import Perform, Task, crew
+from neurosym.worlds.world_file import changed_option
 
 # What is tried next: candidates are drawn, and a curious strategy picks the one it knows least about
 
@@ -236,8 +237,8 @@ class _Explorer:
             raise InvalidFile(path, "it does not say how many blocks there are, or with which options")
         for name in ("strategy", "seed", *sorted(options.keys() | self.origin.keys())):
             if (stored := options.get(name)) != (wanted := self.origin.get(name)):
-                if name == "world_options" and isinstance(stored, dict) and isinstance(wanted, dict):
-                    name, stored, wanted = _differing(stored, wanted)
+                if name == "world_options" and isinstance(stored, dict):
+                    name, stored, wanted = changed_option(options, self.origin) or (name, stored, wanted)
                 raise InvalidValue(
                     f"{path} was made with {name} = {stored!r}, not {wanted!r}; "
                     f"use that again, or remove {STATE_FILE} and {INTERACTIONS_FILE} to begin anew."
@@ -272,10 +273,3 @@ class _Explorer:
         if len(found) < rows:
             raise InvalidFile(path, f"it holds fewer than the {rows} interactions of {state}; {begin_anew}")
         return found[:rows]
-
-
-def _differing(stored: Mapping[str, Any], wanted: Mapping[str, Any]) -> tuple[str, Any, Any]:
-    """Name the first option that differs, with both values; "usual" where it is not said."""
-    names = sorted(stored.keys() | wanted.keys())
-    name = next(name for name in names if stored.get(name) != wanted.get(name))
-    return name, stored.get(name, "usual"), wanted.get(name, "usual")

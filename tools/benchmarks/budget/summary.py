@@ -213,9 +213,9 @@ def page(summary: Mapping[str, Any]) -> str:
         f"executed in both. {_cpu(summary['interaction'])}",
         engines.tables(summary["engines"], summary["shares"]),
         "## What it took",
-        "CPU minutes since the point before, on machines of several speeds, and less where an interrupted "
-        "run went on; share of what explored that moved its target by 1 cm or picked it up; kinds of "
-        "primitive of the paper's six; R2 through the codes.",
+        "CPU minutes are those since the point before, on machines of several speeds. They are fewer where "
+        "an interrupted run went on. *Moved* is the share of what explored that moved its target by 1 cm or "
+        "picked it up. Kinds are of the paper's six primitives; R2 is through the codes.",
         table("way, seed, at most | interactions | CPU minutes | moved | kinds | R2", taken),
         "## One run, with two processes and nothing beside it",
         "The last column says how fast the machine is: CPU seconds of importing numpy.",
